@@ -1,0 +1,148 @@
+//! Tables published in the papers, as data: the schemes, set-ups and results of GS25.
+
+mod results;
+mod schemes;
+mod setups;
+
+pub use results::{Better, Metric, MetricKey, Results};
+pub use schemes::{LinearCoefficient, Scheme, SchemeName, Schemes};
+pub use setups::{PerAxis, Setup, Setups, Test};
+
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use thiserror::Error;
+
+use crate::text::{ReadError, parse_table, typed};
+
+/// A fault in a file of tables. Each message names the file, the row, the field and what to do.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum TableError {
+    /// The file is not TOML or a key is unknown, missing or of the wrong type.
+    #[error("{file}{place}: {message}; compare with the other rows of the file")]
+    Shape {
+        /// The file.
+        file: String,
+        /// The line, where it is known, with a comma before it.
+        place: String,
+        /// What is wrong, with the name of the key.
+        message: String,
+    },
+    /// The file is not the table it is kept for.
+    #[error("{file}, fields `paper` and `table`: they say {found}; they must say {expected}")]
+    WrongTable {
+        /// The file.
+        file: String,
+        /// What they must say.
+        expected: String,
+        /// What they say.
+        found: String,
+    },
+    /// A row that should be there once is missing, doubled or out of order.
+    #[error(
+        "{file}, row {row}, field `{field}`: found `{found}` where `{expected}` belongs; keep one row for each, in the published order"
+    )]
+    Row {
+        /// The file.
+        file: String,
+        /// The row, from 1.
+        row: usize,
+        /// The field that identifies rows.
+        field: &'static str,
+        /// What stands there.
+        found: String,
+        /// What should stand there.
+        expected: String,
+    },
+    /// A number is outside its domain.
+    #[error(
+        "{file}, row `{row}`, field `{field}`: {value} is not {domain}; correct it from the paper"
+    )]
+    Domain {
+        /// The file.
+        file: String,
+        /// What identifies the row.
+        row: String,
+        /// The field.
+        field: &'static str,
+        /// The value, as text.
+        value: String,
+        /// What it must be.
+        domain: &'static str,
+    },
+}
+
+/// The keys that every file of tables starts with.
+#[derive(Deserialize)]
+struct Head {
+    paper: String,
+    table: u16,
+}
+
+/// Reads a file of tables and checks that it is `table` of GS25.
+fn read<T: DeserializeOwned>(file: &str, table: u16, text: &str) -> Result<T, TableError> {
+    let shape = |error: ReadError| TableError::Shape {
+        file: file.to_owned(),
+        place: error
+            .line
+            .map_or_else(String::new, |line| format!(", line {line}")),
+        message: error.message,
+    };
+    let parsed = parse_table(text).map_err(shape)?;
+    let head: Head = typed(toml::Value::Table(parsed.clone())).map_err(shape)?;
+    if (head.paper.as_str(), head.table) != ("gs25", table) {
+        return Err(TableError::WrongTable {
+            file: file.to_owned(),
+            expected: format!("gs25, {table}"),
+            found: format!("{}, {}", head.paper, head.table),
+        });
+    }
+    typed(toml::Value::Table(parsed)).map_err(shape)
+}
+
+/// Checks that the rows carry the `expected` names, each once and in order.
+fn rows_in_order<T: Copy + PartialEq + std::fmt::Debug>(
+    file: &str,
+    field: &'static str,
+    found: &[T],
+    expected: &[T],
+) -> Result<(), TableError> {
+    for row in 0..found.len().max(expected.len()) {
+        let name = |names: &[T]| {
+            names
+                .get(row)
+                .map_or_else(|| "nothing".to_owned(), |name| format!("{name:?}"))
+        };
+        if found.get(row) != expected.get(row) {
+            let (found, expected) = (name(found), name(expected));
+            return Err(TableError::Row {
+                file: file.to_owned(),
+                row: row + 1,
+                field,
+                found,
+                expected,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Checks one number of a row against a condition.
+fn domain<T: std::fmt::Debug>(
+    file: &str,
+    row: &T,
+    field: &'static str,
+    value: f64,
+    allowed: bool,
+    domain: &'static str,
+) -> Result<(), TableError> {
+    if allowed {
+        return Ok(());
+    }
+    Err(TableError::Domain {
+        file: file.to_owned(),
+        row: format!("{row:?}"),
+        field,
+        value: value.to_string(),
+        domain,
+    })
+}
