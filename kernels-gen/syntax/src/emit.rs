@@ -1,0 +1,92 @@
+//! The translated function, with its documentation, its body under the equation's name, and its entry in the registry.
+
+use crate::arguments::Source;
+use quote::{ToTokens, quote};
+use syn::{AttrStyle, Attribute, Ident, ItemFn, ReturnType, Type};
+
+/// The whole of what the macro puts in place of the function.
+pub(crate) fn function(function: ItemFn, real: &Ident, source: &Source, text: &str) -> proc_macro2::TokenStream {
+    let ItemFn { attrs, vis, sig, block } = function;
+    // `#![allow(..)]` and `//!` inside of the body belong there.
+    let (outer, inner): (Vec<_>, Vec<_>) = attrs.into_iter().partition(|a| matches!(a.style, AttrStyle::Outer));
+    let name = unraw(&sig.ident);
+    let label = source.label();
+    let documentation = format!(" {}", source.documentation());
+    let (ids, unnumbered) = match source {
+        Source::Numbered(ids) => (quote!(&[#(#ids),*]), quote!(::core::option::Option::None)),
+        Source::Unnumbered(words) => (quote!(&[]), quote!(::core::option::Option::Some(#words))),
+    };
+    // A closure may say what it returns unless that is `impl Trait`.
+    let output = match &sig.output {
+        ReturnType::Type(_, ty) if !has_impl(ty) => sig.output.to_token_stream(),
+        _ => quote!(),
+    };
+    // The language has no loops but those over ranges, so clippy must not ask for others.
+    quote! {
+        #(#outer)*
+        #[doc = ""]
+        #[doc = #documentation]
+        #[inline(always)]
+        #[allow(clippy::needless_range_loop)]
+        #vis #sig {
+            #(#inner)*
+            ::etalon_kernels_gen::__private::inventory::submit! {
+                ::etalon_kernels_gen::__private::EquationEntry {
+                    ids: #ids,
+                    name: #name,
+                    module_path: ::core::module_path!(),
+                    file: ::core::file!(),
+                    line: ::core::line!(),
+                    source: #text,
+                    unnumbered: #unnumbered,
+                }
+            }
+            <#real as ::etalon_kernels_gen::Real>::equation(#label, #name, #[inline(always)] || #output #block)
+        }
+    }
+}
+
+/// The signature with an empty body: stands in for a function that was refused, so that its callers still find it.
+pub(crate) fn placeholder(function: ItemFn) -> proc_macro2::TokenStream {
+    let ItemFn { attrs, vis, sig, .. } = function;
+    let impossible = match &sig.output {
+        ReturnType::Type(_, ty) => has_impl(ty),
+        ReturnType::Default => false,
+    };
+    if impossible || sig.asyncness.is_some() || sig.constness.is_some() {
+        return quote!();
+    }
+    let is_kept =
+        |a: &&Attribute| matches!(a.style, AttrStyle::Outer) && (a.path().is_ident("doc") || a.path().is_ident("cfg"));
+    let documentation = attrs.iter().filter(is_kept);
+    quote! {
+        #(#documentation)*
+        #[allow(unused, missing_docs, clippy::all)]
+        #vis #sig {
+            ::core::unreachable!("refused by #[equation]")
+        }
+    }
+}
+
+/// A name without the `r#` of a raw identifier.
+pub(crate) fn unraw(name: &Ident) -> String {
+    use syn::ext::IdentExt;
+    name.unraw().to_string()
+}
+
+/// The function as text, when the compiler no longer has what was written.
+pub(crate) fn token_text(function: &ItemFn) -> String {
+    function.to_token_stream().to_string()
+}
+
+fn has_impl(ty: &Type) -> bool {
+    struct Finder(bool);
+    impl syn::visit::Visit<'_> for Finder {
+        fn visit_type_impl_trait(&mut self, _: &syn::TypeImplTrait) {
+            self.0 = true;
+        }
+    }
+    let mut finder = Finder(false);
+    syn::visit::Visit::visit_type(&mut finder, ty);
+    finder.0
+}

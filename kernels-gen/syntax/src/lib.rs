@@ -1,0 +1,84 @@
+//! What the `#[equation]` macro accepts, and how it translates it.
+//!
+//! An equation is written once, as a generic function of some `R: Real`, with plain literals, `if` and `<`. This crate turns
+//! those into calls of the number trait, so that the same function runs on scalars, on vector lanes and on symbols. `README.md`
+//! beside this crate lists the language.
+//!
+//! It is an ordinary library, so that it can be tested and fuzzed without a compiler around it: the macro crate is a thin
+//! shell. It never panics, and it reports every error of a function at once, each at its own token.
+#![forbid(unsafe_code)]
+
+mod advice;
+mod arguments;
+mod emit;
+mod errors;
+mod macros;
+mod scopes;
+mod signature;
+mod translate;
+
+use errors::Errors;
+use proc_macro2::TokenStream;
+use syn::ItemFn;
+
+/// What the library cannot know by itself.
+pub struct Surroundings<'a> {
+    /// Whether the ledger has an equation of this id; if not, the sentence to show.
+    pub check_id: &'a dyn Fn(&str) -> Result<(), String>,
+    /// The function as its author wrote it, if the compiler still has the text; else its tokens are printed.
+    pub source_text: Option<String>,
+}
+
+impl Surroundings<'_> {
+    /// Any id is good and no source text is known: for tests.
+    pub const NONE: Surroundings<'static> = Surroundings { check_id: &|_| Ok(()), source_text: None };
+}
+
+/// Translates the function `item` under `#[equation(attribute)]`.
+///
+/// # Errors
+/// All errors of the attribute and of the function, combined, each with the span of the token it is about.
+pub fn translate(attribute: TokenStream, item: TokenStream, around: &Surroundings) -> syn::Result<TokenStream> {
+    let function = parse(item)?;
+    translate_function(attribute, function, around)
+}
+
+/// As [`translate`], for the compiler: errors become `compile_error!` at their tokens, followed by the function's signature
+/// with an empty body, so that its callers do not add complaints of their own.
+pub fn expand(attribute: TokenStream, item: TokenStream, around: &Surroundings) -> TokenStream {
+    let function = match parse(item) {
+        Ok(function) => function,
+        Err(error) => return error.to_compile_error(),
+    };
+    match translate_function(attribute, function.clone(), around) {
+        Ok(tokens) => tokens,
+        Err(error) => {
+            let mut tokens = error.to_compile_error();
+            tokens.extend(emit::placeholder(function));
+            tokens
+        }
+    }
+}
+
+fn parse(item: TokenStream) -> syn::Result<ItemFn> {
+    syn::parse2(item).map_err(|mut error| {
+        error.combine(syn::Error::new(error.span(), "#[equation] stands on a function with a body"));
+        error
+    })
+}
+
+fn translate_function(attribute: TokenStream, mut function: ItemFn, around: &Surroundings) -> syn::Result<TokenStream> {
+    let mut errors = Errors::default();
+    let source = arguments::parse(attribute, around.check_id, &mut errors);
+    let text = around.source_text.clone().unwrap_or_else(|| emit::token_text(&function));
+    let real = signature::check(&function, &mut errors);
+    if let Some(real) = &real {
+        translate::body(&mut function, real, &mut errors);
+    }
+    errors.finish()?;
+    match (source, real) {
+        (Some(source), Some(real)) => Ok(emit::function(function, &real, &source, &text)),
+        // Without an error both are there; this is only to have no panic even so.
+        _ => Err(syn::Error::new(proc_macro2::Span::call_site(), "the equation could not be understood")),
+    }
+}
