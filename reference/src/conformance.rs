@@ -1,0 +1,225 @@
+//! Whether an engine computes what the equations say: pass by pass, on sets of particles made to be difficult.
+//!
+//! Engine and reference get the same inputs, rounded to the engine's precision. The reference computes in `f64` with a running
+//! error bound ([`Bounded`]): the tolerance of every single number follows from the operations that led to it. It is proven to
+//! first order in the unit roundoff, for arithmetic as good as WGSL promises.
+
+pub mod sets;
+
+use crate::engine::{Engine, EngineError, PlainEngine};
+use crate::particles::ParticleSet;
+use crate::passes::Physics;
+use crate::pipeline::{PassVisitor, Pipeline};
+use crate::scenes::sod::Sod;
+use crate::schemes::{Dissipation, GradH, Kernel};
+use etalon_kernels_gen::bounded::{Bounded, Roundoff};
+use etalon_kernels_gen::{Field, Footprint, Pass, Precision, components};
+use sets::Difficulty;
+use std::fmt;
+
+/// How one number per particle compares, over all particles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verdict {
+    /// The pass.
+    pub pass: &'static str,
+    /// What it wrote, spelled out.
+    pub component: String,
+    /// The particle that comes nearest to its bound, or exceeds it most.
+    pub particle: usize,
+    /// What the engine found there.
+    pub found: f64,
+    /// What the reference found there.
+    pub expected: f64,
+    /// The bound there.
+    pub bound: f64,
+    /// For how many particles there is no finite bound: an ill-posed neighbourhood, whose result need only be finite.
+    pub unbounded: usize,
+    /// How many particles there are.
+    pub particles: usize,
+}
+
+impl Verdict {
+    /// Error over bound where that is largest; infinite for a result that is not finite.
+    pub fn ratio(&self) -> f64 {
+        let error = (self.found - self.expected).abs();
+        if error.is_nan() || !self.found.is_finite() {
+            f64::INFINITY
+        } else if error == 0.0 {
+            0.0
+        } else {
+            error / self.bound
+        }
+    }
+    /// Whether every particle is within its bound.
+    pub fn holds(&self) -> bool {
+        self.ratio() <= 1.0
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let error = (self.found - self.expected).abs();
+        write!(
+            f,
+            "{}: {} of particle {} is {:e}, expected {:e}: error {error:.2e}, bound {:.2e}, {:.1} % of it; no bound for {} of {}",
+            self.pass,
+            self.component,
+            self.particle,
+            self.found,
+            self.expected,
+            self.bound,
+            100.0 * self.ratio(),
+            self.unbounded,
+            self.particles,
+        )
+    }
+}
+
+/// Runs each pass of a scene's pipeline by itself on `engine`, which must hold the particles of `set`, and compares.
+///
+/// `P` is the engine's precision.
+pub fn check_passes<const D: usize, P: Roundoff, E: Engine<D>>(
+    set: &ParticleSet<D>,
+    physics: Physics,
+    engine: &mut E,
+) -> Result<Vec<Verdict>, EngineError> {
+    let support = physics.kernel.support();
+    let pipeline = Pipeline::of_scene::<D>(&physics);
+    let mut reference = PlainEngine::<f64, D>::new(set);
+    reference.find_neighbours(support)?;
+    pipeline.run(&mut reference, physics)?;
+    let mut bounded = PlainEngine::<Bounded<P>, D>::new(set);
+    bounded.find_neighbours(support)?;
+    engine.find_neighbours(support)?;
+    let mut check = Check { reference, bounded, engine, verdicts: Vec::new() };
+    for pass in pipeline.passes() {
+        pass.visit(physics, &mut check)?;
+    }
+    Ok(check.verdicts)
+}
+
+struct Check<'e, P, E, const D: usize> {
+    /// Where each pass's inputs come from, whatever the passes before it made of theirs.
+    reference: PlainEngine<f64, D>,
+    bounded: PlainEngine<Bounded<P>, D>,
+    engine: &'e mut E,
+    verdicts: Vec<Verdict>,
+}
+
+impl<const D: usize, P: Roundoff, E: Engine<D>> PassVisitor<D> for Check<'_, P, E, D> {
+    type Output = Result<(), EngineError>;
+
+    fn visit<Q: Pass<D>>(&mut self, pass: &Q) -> Self::Output {
+        let footprint = Footprint::of_pass::<D, Q>();
+        for component in components(&[footprint.own, footprint.other].concat(), D) {
+            let exact = self.reference.read(component)?;
+            let rounded: Vec<f64> = exact.into_iter().map(to_precision::<P>).collect();
+            self.bounded.write(component, &rounded)?;
+            self.engine.write(component, &rounded)?;
+        }
+        self.bounded.run_pass(pass)?;
+        self.engine.run_pass(pass)?;
+        for component in components(&footprint.out, D) {
+            let found = self.engine.read(component)?;
+            let expected = self.bounded.column(component).unwrap_or(&[]);
+            self.verdicts.push(verdict::<P>(Q::NAME, component.name(D), &found, expected));
+        }
+        Ok(())
+    }
+}
+
+fn to_precision<P: Roundoff>(value: f64) -> f64 {
+    match P::PRECISION {
+        Precision::Single => f64::from(value as f32),
+        Precision::Double => value,
+    }
+}
+
+fn verdict<P: Roundoff>(pass: &'static str, component: String, found: &[f64], expected: &[Bounded<P>]) -> Verdict {
+    // The reference itself rounds in f64; where that is the engine's precision too, errors of both count.
+    let own_share = match P::PRECISION {
+        Precision::Single => 1.0,
+        Precision::Double => 2.0,
+    };
+    let one = |particle: usize| Verdict {
+        pass,
+        component: component.clone(),
+        particle,
+        found: found[particle],
+        expected: expected[particle].value(),
+        bound: own_share * expected[particle].error(),
+        unbounded: expected.iter().filter(|e| e.error().is_infinite()).count(),
+        particles: expected.len(),
+    };
+    let worst = (0..expected.len()).max_by(|&a, &b| one_ratio(found[a], expected[a]).total_cmp(&one_ratio(found[b], expected[b])));
+    one(worst.unwrap_or(0))
+}
+
+fn one_ratio<P: Roundoff>(found: f64, expected: Bounded<P>) -> f64 {
+    let error = (found - expected.value()).abs();
+    if !found.is_finite() {
+        f64::INFINITY
+    } else if error == 0.0 {
+        0.0
+    } else {
+        error / expected.error()
+    }
+}
+
+/// What a round of [`check_passes`] over all difficulties came to.
+#[derive(Clone, Debug, Default)]
+pub struct Summary {
+    /// Numbers compared.
+    pub compared: usize,
+    /// The largest ratio of error to bound.
+    pub worst: Option<(String, Verdict)>,
+    /// What does not hold, each with where it was found.
+    pub failures: Vec<String>,
+}
+
+impl Summary {
+    fn add(&mut self, place: &str, difficulty: Difficulty, verdicts: Vec<Verdict>) {
+        for verdict in verdicts {
+            self.compared += verdict.particles;
+            if !verdict.holds() {
+                self.failures.push(format!("{place}: {verdict}"));
+            }
+            // A neighbourhood that is not flat has a bound.
+            if verdict.unbounded > 0 && !difficulty.is_flat() {
+                self.failures.push(format!("{place}: no bound where there should be one: {verdict}"));
+            }
+            if self.worst.as_ref().is_none_or(|(_, w)| verdict.ratio() > w.ratio()) {
+                self.worst = Some((place.to_string(), verdict));
+            }
+        }
+    }
+}
+
+/// All passes on all difficult sets in `D` dimensions: every dissipation scheme with the paper's kernel, and every kernel with
+/// the paper's scheme. `make` builds an engine of precision `P`.
+pub fn check_dimension<const D: usize, P: Roundoff, E: Engine<D>>(
+    mut make: impl FnMut(&ParticleSet<D>, &[Field]) -> Result<E, EngineError>,
+) -> Result<Summary, EngineError> {
+    let mut summary = Summary::default();
+    let usual = Sod::standard(D);
+    let schemes = Dissipation::ALL.iter().map(|&dissipation| Sod { dissipation, ..usual });
+    let kernels = Kernel::ALL.iter().map(|&kernel| Sod { kernel, ..usual });
+    let forms = GradH::ALL.iter().map(|&grad_h| Sod { grad_h, ..usual });
+    for (round, scene) in schemes.chain(kernels).chain(forms).enumerate() {
+        let physics = scene.physics();
+        // The usual scene meets every difficulty, the variations only the first ones: what is difficult is the same for all.
+        let tried = if round == 0 || scene == usual { Difficulty::ALL } else { &Difficulty::ALL[..2] };
+        for &difficulty in tried {
+            let across = [24, 10, 9][D - 1];
+            let set = sets::set::<D>(difficulty, across, &physics, 1 + round as u64).map_err(EngineError::from_display)?;
+            let fields = Pipeline::of_scene::<D>(&physics).fields::<D>();
+            let mut engine = make(&set, &fields)?;
+            let place =
+                format!("{D}-D, {difficulty:?}, {}, {}, {}", scene.dissipation, scene.kernel, scene.grad_h);
+            let verdicts = check_passes::<D, P, E>(&set, physics, &mut engine)
+                .map_err(|e| EngineError(format!("{place}: {e}")))?;
+            summary.add(&place, difficulty, verdicts);
+        }
+    }
+    Ok(summary)
+}

@@ -1,0 +1,125 @@
+//! Particle sets that engines are tried on.
+
+use crate::domain::Domain;
+use crate::equations::reconstruction::support_volume;
+use crate::particles::{Particle, ParticleError, ParticleSet};
+use crate::passes::Physics;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+/// What a set is made to try.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Difficulty {
+    /// Nothing in particular: disordered, with unequal masses (x4) and smoothing lengths (x1.5).
+    None,
+    /// Several particles at the very same place.
+    Coincident,
+    /// Neighbours on one line.
+    Collinear,
+    /// Neighbours in one plane.
+    Coplanar,
+    /// One particle without neighbours.
+    Isolated,
+    /// A box a million lengths from the origin, open on all sides.
+    FarAway,
+    /// One half of the particles a million times lighter.
+    NearVacuum,
+    /// Smoothing lengths from a third to three times the fitting one.
+    UnequalLengths,
+    /// A unit of length of 2^40.
+    Huge,
+    /// A unit of length of 2^-40.
+    Tiny,
+}
+
+impl Difficulty {
+    /// All of them.
+    pub const ALL: &'static [Difficulty] = &[
+        Difficulty::None,
+        Difficulty::Coincident,
+        Difficulty::Collinear,
+        Difficulty::Coplanar,
+        Difficulty::Isolated,
+        Difficulty::FarAway,
+        Difficulty::NearVacuum,
+        Difficulty::UnequalLengths,
+        Difficulty::Huge,
+        Difficulty::Tiny,
+    ];
+
+    /// Whether some neighbourhoods are flat, so that their inverses have no useful bound.
+    pub fn is_flat(self) -> bool {
+        matches!(self, Difficulty::Collinear | Difficulty::Coplanar | Difficulty::Isolated)
+    }
+}
+
+/// About `across^D` particles with this difficulty, in a box of side one unless the difficulty says otherwise.
+pub fn set<const D: usize>(
+    difficulty: Difficulty,
+    across: usize,
+    physics: &Physics,
+    seed: u64,
+) -> Result<ParticleSet<D>, ParticleError> {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let mut uniform = move |low: f64, high: f64| low + (high - low) * random.random::<f64>();
+    let spacing = 1.0 / across as f64;
+    let volume = support_volume(D, physics.kernel.support());
+    let h = spacing * (physics.neighbours / volume).powf(1.0 / D as f64);
+    let mut particles: Vec<Particle<D>> = (0..across.pow(D as u32))
+        .map(|i| Particle {
+            position: std::array::from_fn(|axis| {
+                let cell = (i / across.pow(axis as u32) % across) as f64 + 0.5;
+                (cell + uniform(-0.4, 0.4)) * spacing
+            }),
+            velocity: std::array::from_fn(|_| uniform(-0.5, 0.5)),
+            mass: spacing.powi(D as i32) * uniform(0.5, 2.0),
+            smoothing_length: h * uniform(0.8, 1.2),
+            internal_energy: uniform(0.5, 1.5),
+            mobile: true,
+        })
+        .collect();
+
+    let unit = match difficulty {
+        Difficulty::Huge => 1_099_511_627_776.0,
+        Difficulty::Tiny => 1.0 / 1_099_511_627_776.0,
+        _ => 1.0,
+    };
+    let mut origin = 0.0;
+    let count = particles.len();
+    match difficulty {
+        Difficulty::Coincident => {
+            let (first, rest) = particles.split_at_mut(1);
+            rest.iter_mut().step_by(7).take(count / 8).for_each(|p| p.position = first[0].position);
+        }
+        Difficulty::Collinear => particles.iter_mut().for_each(|p| p.position[1..].fill(0.5)),
+        Difficulty::Coplanar => particles.iter_mut().for_each(|p| {
+            if D == 3 {
+                p.position[D - 1] = 0.5;
+            }
+        }),
+        Difficulty::Isolated => {
+            // Everyone else moves to one side, farther than any support.
+            let reach = 1.3 * h * physics.kernel.support();
+            for p in &mut particles[1..] {
+                p.position[0] = 0.5 + (p.position[0] - 0.5) * (0.9 - 2.0 * reach).max(0.1);
+            }
+            particles[0].position[0] = 0.0;
+            particles[0].smoothing_length = 0.05 * h;
+        }
+        Difficulty::FarAway => origin = 1e6,
+        Difficulty::NearVacuum => particles.iter_mut().step_by(2).for_each(|p| p.mass *= 1e-6),
+        Difficulty::UnequalLengths => particles.iter_mut().enumerate().for_each(|(i, p)| {
+            p.smoothing_length *= if i % 3 == 0 { 1.0 / 3.0 } else { 1.0 };
+        }),
+        Difficulty::None | Difficulty::Huge | Difficulty::Tiny => {}
+    }
+    for p in &mut particles {
+        p.position = p.position.map(|x| origin + unit * x);
+        p.smoothing_length *= unit;
+        // Density stays of order one.
+        p.mass *= unit.powi(D as i32);
+    }
+    let open = difficulty == Difficulty::FarAway;
+    let domain = Domain::new([origin; D], [origin + unit; D], [!open; D])?;
+    ParticleSet::new(domain, particles)
+}

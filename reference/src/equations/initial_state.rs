@@ -1,0 +1,17 @@
+//! Profiles that scenes start from.
+
+use etalon_kernels_gen::functions::exp_negative;
+use etalon_kernels_gen::{Real, equation};
+
+/// The smoothed pressure of the shock tube, `P = -A tanh((x - x_c) / delta) + B`.
+///
+/// `A = 0.45`, `B = 0.55`, `delta = 0.01`, `x_c = 0.5` take the pressure from 1 to 0.1. The hyperbolic tangent is `(1 - e) / (1 + e)` with `e = exp(-2 |y|)`.
+/// Source: GS25 (21).
+#[equation("gs25:21")]
+pub fn smoothed_pressure<R: Real>(x: R, centre: R, width: R, amplitude: R, offset: R) -> R {
+    let y = (x - centre) / width;
+    let e = exp_negative(2.0 * y.abs());
+    let size = (1.0 - e) / (1.0 + e);
+    let tanh = if y < 0.0 { -size } else { size };
+    offset - amplitude * tanh
+}

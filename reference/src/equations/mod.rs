@@ -1,0 +1,13 @@
+//! The equations, each once. A file per subject; each function's page gives the formula, its symbols and its source.
+
+pub mod dissipation;
+pub mod equation_of_state;
+pub mod grad_h;
+pub mod gradients;
+pub mod hydrodynamics;
+pub mod initial_state;
+pub mod kernels;
+pub mod reconstruction;
+pub mod smoothing_length;
+pub mod time_step;
+pub mod volume_elements;

@@ -1,0 +1,3 @@
+//! Analytic solutions that simulations are compared with.
+
+pub mod riemann;

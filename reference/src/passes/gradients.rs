@@ -1,0 +1,222 @@
+//! The third sweep: what gradients need, the grad-h factor, and the coefficient of the pressure force.
+
+use super::Physics;
+use crate::equations::dissipation::balsara_limiter;
+use crate::equations::grad_h::{
+    density_derivative_corrected, density_derivative_exact, grad_h_factor, partition_derivative_term,
+};
+use crate::equations::gradients::{gradient, integral_term, inverse_moments, moment_term};
+use crate::equations::hydrodynamics::pressure_coefficient;
+use crate::equations::kernels::{
+    Shape, central_value, inverse_volume, kernel_shape, smoothing_length_derivative,
+};
+use crate::fields::*;
+use crate::schemes::GradH;
+use etalon_kernels_gen::{Matrix, Pass, Real, Scalar, Separation, Symmetric, Vector, record};
+
+/// The inverse moment matrix `c` (C25 1, 2), Omega (C25 24, 31) and the pressure coefficient (C25 22).
+#[derive(Clone, Copy, Debug)]
+pub struct Gradients(pub Physics);
+
+/// [`Gradients`], with the velocity gradient (C25 3) and Balsara's limiter (GS25 8) besides.
+#[derive(Clone, Copy, Debug)]
+pub struct VelocityGradients(pub Physics);
+
+record! {
+    /// Read of the particle.
+    pub struct GradientsOwn {
+        mass: Scalar = MASS,
+        inverse_h: Scalar = INVERSE_SMOOTHING_LENGTH,
+        standard_density: Scalar = STANDARD_DENSITY,
+        estimator: Scalar = VOLUME_ESTIMATOR,
+        normalisation: Scalar = KERNEL_NORMALISATION,
+        density: Scalar = DENSITY,
+        pressure: Scalar = PRESSURE,
+        estimator_derivative: Scalar = VOLUME_ESTIMATOR_DERIVATIVE,
+        density_derivative: Scalar = STANDARD_DENSITY_DERIVATIVE,
+    }
+}
+record! {
+    /// Read of a neighbour.
+    pub struct GradientsOther { volume: Scalar = VOLUME }
+}
+record! {
+    /// Summed, without the powers of `h_a` common to all terms.
+    pub struct GradientsSums {
+        moments: Symmetric = MOMENT_MATRIX,
+        partition_derivative: Scalar = PARTITION_DERIVATIVE,
+    }
+}
+record! {
+    /// Written.
+    pub struct GradientsOut {
+        c: Symmetric = GRADIENT_MATRIX,
+        grad_h: Scalar = GRAD_H,
+        pressure_coefficient: Scalar = PRESSURE_COEFFICIENT,
+    }
+}
+record! {
+    /// Read of the particle.
+    pub struct VelocityGradientsOwn {
+        base: GradientsOwn,
+        velocity: Vector = VELOCITY,
+        sound_speed: Scalar = SOUND_SPEED,
+    }
+}
+record! {
+    /// Read of a neighbour.
+    pub struct VelocityGradientsOther {
+        base: GradientsOther,
+        velocity: Vector = VELOCITY,
+    }
+}
+record! {
+    /// Summed.
+    pub struct VelocityGradientsSums {
+        base: GradientsSums,
+        velocity_moments: Matrix = VELOCITY_MOMENT,
+    }
+}
+record! {
+    /// Written.
+    pub struct VelocityGradientsOut {
+        base: GradientsOut,
+        strain_rate: Symmetric = STRAIN_RATE,
+        balsara: Scalar = BALSARA,
+    }
+}
+
+impl Gradients {
+    /// The kernel's shape as the particle sees the neighbour.
+    #[inline(always)]
+    fn shape<R: Real, const D: usize>(&self, own: &GradientsOwn<R, D>, at: &Separation<R, D>) -> (Shape<R>, R) {
+        let q_squared = at.r_squared * (own.inverse_h * own.inverse_h);
+        (kernel_shape::<R, D>(self.0.kernel, q_squared), q_squared)
+    }
+
+    #[inline(always)]
+    fn terms<R: Real, const D: usize>(
+        &self,
+        other: &GradientsOther<R, D>,
+        at: &Separation<R, D>,
+        (shape, q_squared): (Shape<R>, R),
+    ) -> GradientsSums<R, D> {
+        let partition_derivative = match self.0.grad_h {
+            GradH::Exact => R::zero(),
+            GradH::Corrected => {
+                partition_derivative_term(other.volume, smoothing_length_derivative::<R, D>(shape, q_squared))
+            }
+        };
+        // The second moments are the same for x_ab and -x_ab.
+        GradientsSums { moments: moment_term(other.volume, at.x_ab, shape.value), partition_derivative }
+    }
+
+    #[inline(always)]
+    fn density_derivative<R: Real, const D: usize>(&self, own: &GradientsOwn<R, D>, partition_sum: R) -> R {
+        let kernel = self.0.kernel;
+        let scale = inverse_volume::<R, D>(own.inverse_h);
+        let self_kernel = central_value::<R, D>(kernel) * scale;
+        match self.0.grad_h {
+            GradH::Exact => {
+                let shape = kernel_shape::<R, D>(kernel, R::zero());
+                let self_d = smoothing_length_derivative::<R, D>(shape, R::zero()) * scale * own.inverse_h;
+                density_derivative_exact(
+                    own.mass,
+                    own.estimator,
+                    own.normalisation,
+                    own.estimator_derivative,
+                    own.density_derivative,
+                    self_kernel,
+                    self_d,
+                )
+            }
+            GradH::Corrected => density_derivative_corrected(
+                own.mass,
+                own.estimator,
+                own.normalisation,
+                own.density,
+                own.estimator_derivative,
+                own.density_derivative,
+                partition_sum,
+                self_kernel,
+            ),
+        }
+    }
+}
+
+impl<const D: usize> Pass<D> for Gradients {
+    type Own<R: Real> = GradientsOwn<R, D>;
+    type Other<R: Real> = GradientsOther<R, D>;
+    type Sums<R: Real> = GradientsSums<R, D>;
+    type Out<R: Real> = GradientsOut<R, D>;
+    const NAME: &'static str = "gradients";
+
+    #[inline(always)]
+    fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, at: &Separation<R, D>) -> Self::Sums<R> {
+        self.terms(other, at, self.shape(own, at))
+    }
+
+    #[inline(always)]
+    fn finish<R: Real>(&self, own: &Self::Own<R>, sums: &Self::Sums<R>) -> Self::Out<R> {
+        let scale = inverse_volume::<R, D>(own.inverse_h);
+        let partition_sum = sums.partition_derivative * scale * own.inverse_h;
+        let derivative = self.density_derivative(own, partition_sum);
+        let grad_h = grad_h_factor::<R, D>(R::one() / own.inverse_h, own.density, derivative);
+        GradientsOut {
+            c: inverse_moments(sums.moments.scale(scale)),
+            grad_h,
+            pressure_coefficient: pressure_coefficient(
+                own.pressure,
+                grad_h,
+                own.normalisation,
+                own.standard_density,
+            ),
+        }
+    }
+}
+
+impl<const D: usize> Pass<D> for VelocityGradients {
+    type Own<R: Real> = VelocityGradientsOwn<R, D>;
+    type Other<R: Real> = VelocityGradientsOther<R, D>;
+    type Sums<R: Real> = VelocityGradientsSums<R, D>;
+    type Out<R: Real> = VelocityGradientsOut<R, D>;
+    const NAME: &'static str = "velocity_gradients";
+
+    #[inline(always)]
+    fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, at: &Separation<R, D>) -> Self::Sums<R> {
+        let plain = Gradients(self.0);
+        let (shape, q_squared) = plain.shape(&own.base, at);
+        let v_ba = other.velocity - own.velocity;
+        VelocityGradientsSums {
+            base: plain.terms(&other.base, at, (shape, q_squared)),
+            velocity_moments: integral_term(other.base.volume, v_ba, -at.x_ab, shape.value),
+        }
+    }
+
+    #[inline(always)]
+    fn finish<R: Real>(&self, own: &Self::Own<R>, sums: &Self::Sums<R>) -> Self::Out<R> {
+        let base = Gradients(self.0).finish(&own.base, &sums.base);
+        let scale = inverse_volume::<R, D>(own.base.inverse_h);
+        let integral = sums.velocity_moments.scale(scale);
+        let jacobian = gradient(integral, base.c);
+        VelocityGradientsOut {
+            base,
+            strain_rate: jacobian.symmetric_part(),
+            balsara: balsara_limiter(jacobian.trace(), curl(jacobian), own.sound_speed, own.base.inverse_h),
+        }
+    }
+}
+
+/// The size of the velocity's curl, from its gradient; zero in one dimension.
+#[inline(always)]
+fn curl<R: Real, const D: usize>(jacobian: Matrix<R, D>) -> R {
+    let rotation = |i: usize, j: usize| jacobian.0[i][j] - jacobian.0[j][i];
+    match D {
+        1 => R::zero(),
+        2 => rotation(1, 0).abs(),
+        _ => {
+            let (x, y, z) = (rotation(2, 1), rotation(0, 2), rotation(1, 0));
+            x.mul_add(x, y.mul_add(y, z * z)).sqrt()
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! The sweeps over the particles, each defined once for every backend.
+//!
+//! A step runs [`VolumeElements`], [`Density`], then [`Gradients`] and [`Momentum`]; a scheme that reconstructs velocities takes
+//! [`VelocityGradients`] and [`ReconstructedMomentum`] instead. What each reads and writes is in its records.
+
+mod density;
+mod gradients;
+mod momentum;
+mod updates;
+mod volume_elements;
+
+pub use density::Density;
+pub use gradients::{Gradients, VelocityGradients};
+pub use momentum::{Momentum, ReconstructedMomentum};
+pub use updates::{Correct, KickDrift};
+pub use volume_elements::VolumeElements;
+
+use crate::schemes::{GradH, Kernel, Viscosity};
+
+/// What a scene decides for all its passes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Physics {
+    /// The kernel of all sums.
+    pub kernel: Kernel,
+    /// The form of the grad-h factor.
+    pub grad_h: GradH,
+    /// The dissipation scheme and its coefficients.
+    pub viscosity: Viscosity,
+    /// `gamma - 1` of the ideal gas.
+    pub gamma_minus_one: f64,
+    /// The number of neighbours the smoothing length aims at, the particle included.
+    pub neighbours: f64,
+}

@@ -1,0 +1,221 @@
+//! The last sweep: acceleration, heating and the time step.
+
+use super::Physics;
+use crate::equations::dissipation::{
+    approach_velocity, linear_coefficient, pair_balsara, pair_viscosity, signal_velocity,
+};
+use crate::equations::gradients::integral_gradient;
+use crate::equations::hydrodynamics::{
+    crossed_weight, pressure_acceleration, pressure_work, viscous_acceleration, viscous_heating,
+};
+use crate::equations::kernels::{inverse_volume, kernel_shape};
+use crate::equations::reconstruction::{
+    pair_separation, reconstructed_approach_velocity, reconstruction_share, short_range_factor, slope_limiter,
+};
+use crate::equations::time_step::{acceleration_step, cooling_step, courant_step};
+use crate::fields::*;
+use etalon_kernels_gen::functions::ratio_or_zero;
+use etalon_kernels_gen::{Pass, Real, Scalar, Separation, Symmetric, Vector, record};
+
+/// The equations of motion (C25 22, 23) with the viscosity of the true velocities (GS25 6).
+#[derive(Clone, Copy, Debug)]
+pub struct Momentum(pub Physics);
+
+/// [`Momentum`] with the viscosity of reconstructed velocities (GS25 11-19).
+#[derive(Clone, Copy, Debug)]
+pub struct ReconstructedMomentum(pub Physics);
+
+record! {
+    /// Read of either particle.
+    pub struct MomentumPair {
+        mass: Scalar = MASS,
+        inverse_h: Scalar = INVERSE_SMOOTHING_LENGTH,
+        velocity: Vector = VELOCITY,
+        density: Scalar = DENSITY,
+        standard_density: Scalar = STANDARD_DENSITY,
+        sound_speed: Scalar = SOUND_SPEED,
+        pressure_coefficient: Scalar = PRESSURE_COEFFICIENT,
+        c: Symmetric = GRADIENT_MATRIX,
+    }
+}
+record! {
+    /// Read of either particle when velocities are reconstructed.
+    pub struct ReconstructionPair {
+        strain_rate: Symmetric = STRAIN_RATE,
+        balsara: Scalar = BALSARA,
+        q_crit: Scalar = CRITICAL_SEPARATION,
+    }
+}
+record! {
+    /// Read of the particle by the epilogue.
+    pub struct MomentumEpilogue {
+        internal_energy: Scalar = INTERNAL_ENERGY,
+        mobility: Scalar = MOBILITY,
+    }
+}
+record! {
+    /// Read of the particle.
+    pub struct MomentumOwn {
+        pair: MomentumPair,
+        epilogue: MomentumEpilogue,
+    }
+}
+record! {
+    /// Read of the particle.
+    pub struct ReconstructedMomentumOwn {
+        base: MomentumOwn,
+        reconstruction: ReconstructionPair,
+    }
+}
+record! {
+    /// Read of a neighbour.
+    pub struct ReconstructedMomentumOther {
+        base: MomentumPair,
+        reconstruction: ReconstructionPair,
+    }
+}
+record! {
+    /// Summed, the signal velocity maximised.
+    pub struct MomentumSums {
+        acceleration: Vector = ACCELERATION,
+        energy_rate: Scalar = ENERGY_RATE,
+        signal_velocity: Scalar = SIGNAL_VELOCITY,
+    }
+}
+record! {
+    /// Written.
+    pub struct MomentumOut {
+        acceleration: Vector = ACCELERATION,
+        energy_rate: Scalar = ENERGY_RATE,
+        time_step: Scalar = TIME_STEP,
+    }
+}
+
+/// What the line of centres of a pair looks like.
+struct Line<R> {
+    r: R,
+    inverse_r: R,
+    omega: R,
+}
+
+impl Momentum {
+    #[inline(always)]
+    fn line<R: Real, const D: usize>(
+        a: &MomentumPair<R, D>,
+        b: &MomentumPair<R, D>,
+        at: &Separation<R, D>,
+    ) -> Line<R> {
+        let r = at.r_squared.sqrt();
+        let inverse_r = ratio_or_zero(R::one(), r);
+        Line { r, inverse_r, omega: approach_velocity(a.velocity - b.velocity, at.x_ab, inverse_r) }
+    }
+
+    /// `W_ab(h)`.
+    #[inline(always)]
+    fn kernel<R: Real, const D: usize>(&self, inverse_h: R, r_squared: R) -> R {
+        let shape = kernel_shape::<R, D>(self.0.kernel, r_squared * (inverse_h * inverse_h));
+        shape.value * inverse_volume::<R, D>(inverse_h)
+    }
+
+    /// All that a neighbour does, given the velocity of approach and the linear coefficient that its viscosity is to use.
+    #[inline(always)]
+    fn forces<R: Real, const D: usize>(
+        &self,
+        a: &MomentumPair<R, D>,
+        b: &MomentumPair<R, D>,
+        at: &Separation<R, D>,
+        omega: R,
+        viscous_omega: R,
+        alpha: R,
+    ) -> MomentumSums<R, D> {
+        let x_ba = -at.x_ab;
+        let v_ab = a.velocity - b.velocity;
+        let gradient_a = integral_gradient(a.c, x_ba, self.kernel::<R, D>(a.inverse_h, at.r_squared));
+        let gradient_b = integral_gradient(b.c, x_ba, self.kernel::<R, D>(b.inverse_h, at.r_squared));
+        let mean_gradient = (gradient_a + gradient_b).scale(R::lit(0.5));
+
+        let crossed = crossed_weight(a.density, b.density, a.standard_density, b.standard_density);
+        let half = R::lit(0.5);
+        let mean_density = half * (a.density + b.density);
+        let mean_sound_speed = half * (a.sound_speed + b.sound_speed);
+        let viscosity =
+            pair_viscosity(alpha, R::lit(self.0.viscosity.beta), mean_sound_speed, viscous_omega, mean_density);
+
+        let pressure = pressure_acceleration(
+            b.mass,
+            a.pressure_coefficient,
+            b.pressure_coefficient,
+            crossed,
+            gradient_a,
+            gradient_b,
+        );
+        let work = pressure_work(b.mass, a.pressure_coefficient, crossed, v_ab, gradient_a);
+        MomentumSums {
+            acceleration: pressure + viscous_acceleration(b.mass, viscosity, mean_gradient),
+            energy_rate: work + viscous_heating(b.mass, viscosity, v_ab, mean_gradient),
+            signal_velocity: signal_velocity(a.sound_speed, b.sound_speed, omega.min(R::zero())),
+        }
+    }
+}
+
+impl<const D: usize> Pass<D> for Momentum {
+    type Own<R: Real> = MomentumOwn<R, D>;
+    type Other<R: Real> = MomentumPair<R, D>;
+    type Sums<R: Real> = MomentumSums<R, D>;
+    type Out<R: Real> = MomentumOut<R, D>;
+    const NAME: &'static str = "momentum";
+
+    #[inline(always)]
+    fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, at: &Separation<R, D>) -> Self::Sums<R> {
+        let omega = Self::line(&own.pair, other, at).omega;
+        let alpha = R::lit(self.0.viscosity.alpha);
+        self.forces(&own.pair, other, at, omega, omega, alpha)
+    }
+
+    #[inline(always)]
+    fn finish<R: Real>(&self, own: &Self::Own<R>, sums: &Self::Sums<R>) -> Self::Out<R> {
+        let MomentumEpilogue { internal_energy, mobility } = own.epilogue;
+        let acceleration = sums.acceleration.scale(mobility);
+        let energy_rate = sums.energy_rate * mobility;
+        let h = R::one() / own.pair.inverse_h;
+        let slowest = own.pair.sound_speed + own.pair.sound_speed;
+        let time_step = courant_step(h, sums.signal_velocity.max(slowest))
+            .min(acceleration_step(h, acceleration.norm()))
+            .min(cooling_step(internal_energy, energy_rate));
+        MomentumOut { acceleration, energy_rate, time_step }
+    }
+}
+
+impl<const D: usize> Pass<D> for ReconstructedMomentum {
+    type Own<R: Real> = ReconstructedMomentumOwn<R, D>;
+    type Other<R: Real> = ReconstructedMomentumOther<R, D>;
+    type Sums<R: Real> = MomentumSums<R, D>;
+    type Out<R: Real> = MomentumOut<R, D>;
+    const NAME: &'static str = "reconstructed_momentum";
+
+    #[inline(always)]
+    fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, at: &Separation<R, D>) -> Self::Sums<R> {
+        let viscosity = &self.0.viscosity;
+        let (a, b) = (&own.base.pair, &other.base);
+        let (recon_a, recon_b) = (&own.reconstruction, &other.reconstruction);
+        let Line { r, inverse_r, omega } = Momentum::line(a, b, at);
+
+        let slope_a = recon_a.strain_rate.quadratic_form(at.x_ab);
+        let slope_b = recon_b.strain_rate.quadratic_form(at.x_ab);
+        let balsara = pair_balsara(recon_a.balsara, recon_b.balsara);
+        let limiter = slope_limiter(slope_a, slope_b) * reconstruction_share(viscosity, balsara);
+        let inverse_q_fold = R::lit(1.0 / viscosity.q_fold);
+        let q = pair_separation(r, a.inverse_h, b.inverse_h);
+        let phi_ab = limiter * short_range_factor(q, recon_a.q_crit, inverse_q_fold);
+        let phi_ba = limiter * short_range_factor(q, recon_b.q_crit, inverse_q_fold);
+        let omega_prime = reconstructed_approach_velocity(omega, phi_ab, slope_a, phi_ba, slope_b, inverse_r);
+
+        let alpha = linear_coefficient(viscosity, balsara);
+        Momentum(self.0).forces(a, b, at, omega, omega_prime, alpha)
+    }
+
+    #[inline(always)]
+    fn finish<R: Real>(&self, own: &Self::Own<R>, sums: &Self::Sums<R>) -> Self::Out<R> {
+        Momentum(self.0).finish(&own.base, sums)
+    }
+}

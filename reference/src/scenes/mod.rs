@@ -1,0 +1,17 @@
+//! The problems that are run: initial state, boundaries, physics, end time and what to compare with.
+
+mod glass;
+mod lattice;
+pub mod sod;
+
+pub use glass::{GlassError, relax};
+pub use lattice::Tube;
+
+/// How particles are laid out at the start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arrangement {
+    /// On a cubic lattice on each side.
+    Lattice,
+    /// Relaxed from random places to a glass, without direction or order.
+    Glass,
+}

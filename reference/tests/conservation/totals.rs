@@ -1,0 +1,68 @@
+//! Total momentum and total energy, for every scheme, with unequal masses and smoothing lengths.
+
+use crate::all_physics;
+use crate::check::{UNIT, gamma};
+use crate::cloud::Recipe;
+use crate::pairs::{LastSweep, Pairs};
+use etalon_reference::engine::Engine;
+use etalon_reference::fields;
+use etalon_reference::passes::{Momentum, Physics, ReconstructedMomentum};
+
+/// `sum m a` and `sum m (v . a + du/dt)` are zero to rounding.
+///
+/// A pair's two contributions differ by at most 12 roundings of their size (see the pairs), some 20 more where they
+/// are multiplied with velocities; a particle's sum over n neighbours is off by gamma_n of the sum of magnitudes, and
+/// so is the sum over all N particles by gamma_N.
+fn totals_are_kept<P: LastSweep<D>, const D: usize>(physics: Physics, seed: u64) {
+    let cloud = Recipe::unequal::<D>(seed).particles::<D>(true);
+    let mut pairs = Pairs::<P, D>::of(&cloud, physics);
+    let acceleration = pairs.engine.read_all(fields::ACCELERATION).unwrap();
+    let heating = pairs.engine.read_scalar(fields::ENERGY_RATE).unwrap();
+    let speed = |i: usize| cloud.particles()[i].velocity.iter().map(|v| v * v).sum::<f64>().sqrt();
+
+    let (mut momentum, mut energy) = ([0.0; D], 0.0);
+    let (mut momentum_size, mut energy_size, mut moved) = (0.0, 0.0, 0.0);
+    let mut most = 0;
+    for (a, p) in cloud.particles().iter().enumerate() {
+        for axis in 0..D {
+            momentum[axis] += p.mass * acceleration[axis][a];
+            energy += p.mass * p.velocity[axis] * acceleration[axis][a];
+            moved += (p.mass * acceleration[axis][a]).abs();
+        }
+        energy += p.mass * heating[a];
+        let neighbours = pairs.engine.neighbours().of(a);
+        most = most.max(neighbours.len());
+        for &b in neighbours {
+            let size = p.mass * pairs.size(a, b as usize);
+            momentum_size += size;
+            energy_size += size * (speed(a) + speed(b as usize));
+        }
+    }
+    let what = format!("{D}-D, {}, {}", physics.viscosity.dissipation, physics.grad_h);
+    let tolerance = gamma(most + cloud.len() + 12, UNIT) * momentum_size;
+    for total in momentum {
+        assert!(total.abs() <= tolerance, "{what}: sum m a = {total:e}, tolerance {tolerance:e}");
+    }
+    let energy_tolerance = gamma(most + D * cloud.len() + 32, UNIT) * energy_size;
+    assert!(energy.abs() <= energy_tolerance, "{what}: dE/dt = {energy:e}, tolerance {energy_tolerance:e}");
+    // Something did happen: the forces on the particles are not themselves zero.
+    assert!(moved > 1e6 * tolerance, "{what}: forces {moved:e} are no larger than the tolerance {tolerance:e}");
+    println!("{what}: {:e} and {:e} of the tolerance", momentum[0].abs() / tolerance, energy.abs() / energy_tolerance);
+}
+
+#[test]
+fn momentum_and_energy_are_kept() {
+    for physics in all_physics() {
+        for seed in [1, 2] {
+            if physics.viscosity.dissipation.reconstructs() {
+                totals_are_kept::<ReconstructedMomentum, 1>(physics, seed);
+                totals_are_kept::<ReconstructedMomentum, 2>(physics, seed);
+                totals_are_kept::<ReconstructedMomentum, 3>(physics, seed);
+            } else {
+                totals_are_kept::<Momentum, 1>(physics, seed);
+                totals_are_kept::<Momentum, 2>(physics, seed);
+                totals_are_kept::<Momentum, 3>(physics, seed);
+            }
+        }
+    }
+}

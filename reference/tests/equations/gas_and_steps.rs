@@ -1,0 +1,122 @@
+//! The ideal gas, time steps, smoothing lengths and initial profiles.
+
+use crate::check::{UNIT, assert_close};
+use crate::float::Float;
+use etalon_reference::equations::equation_of_state::{pressure, sound_speed};
+use etalon_reference::equations::initial_state::smoothed_pressure;
+use etalon_reference::equations::smoothing_length::{effective_neighbours, next_smoothing_length};
+use etalon_reference::equations::time_step::{LONGEST_STEP, acceleration_step, cooling_step, courant_step};
+
+#[test]
+fn ideal_gas_of_whole_numbers() {
+    assert_eq!(pressure(0.5, 4.0, 3.0), 6.0);
+    // sqrt(1/4 * 5/4 * 20)
+    assert_eq!(sound_speed(0.25, 20.0), 2.5);
+    // c^2 = gamma P / rho
+    let (gamma_minus_one, rho, u) = (0.4, 3.0, 1.7);
+    let c = sound_speed(gamma_minus_one, u);
+    let due = 1.4 * pressure(gamma_minus_one, rho, u) / rho;
+    assert_close("c^2", c * c, due, 10.0 * UNIT * due);
+}
+
+#[test]
+fn cold_and_overcooled_gas_has_no_sound() {
+    assert_eq!(sound_speed(0.4, 0.0), 0.0);
+    assert_eq!(sound_speed(0.4, -1.0), 0.0);
+    assert_eq!(pressure(0.4, 1.0, 0.0), 0.0);
+}
+
+/// gamma = 1.001 in single precision: gamma - 1 by subtraction would be off by 5e-5.
+#[test]
+fn nearly_isothermal_gas_keeps_its_digits() {
+    let due = (0.001_f64 * 1.001 * 1000.0).sqrt();
+    // gamma - 1, its product, the sum and the root: at most 3u after halving by the root, one more for u's constant.
+    let got = f64::from(sound_speed(0.001_f32, 1000.0));
+    assert_close("c", got, due, 4.0 * f32::UNIT * due);
+    assert_close("P", f64::from(pressure(0.001_f32, 1.0, 1000.0)), 1.0, 3.0 * f32::UNIT);
+}
+
+#[test]
+fn time_steps_of_whole_numbers() {
+    assert_eq!(courant_step(2.0, 4.0), 0.2);
+    assert_eq!(courant_step(2.0, 0.5), 1.6);
+    assert_eq!(acceleration_step(8.0, 2.0), 0.5);
+    assert_eq!(acceleration_step(8.0, 0.5), 1.0);
+    assert_eq!(cooling_step(3.0, -2.0), 0.75);
+    assert_eq!(cooling_step(0.5, -0.25), 1.0);
+    // Nothing happens, nothing limits; heating does not either, and energy that is not there cannot be saved.
+    for longest in [
+        courant_step(2.0, 0.0),
+        acceleration_step(8.0, 0.0),
+        cooling_step(3.0, 0.0),
+        cooling_step(3.0, 0.25),
+        cooling_step(0.0, -2.0),
+        cooling_step(-1.0, -2.0),
+    ] {
+        assert_eq!(longest, LONGEST_STEP);
+    }
+    assert!((LONGEST_STEP as f32).is_finite() && LONGEST_STEP >= 1e30);
+}
+
+#[test]
+fn effective_neighbours_is_support_over_volume() {
+    // h = 2, V = 3: 48 / (3 / 2^nu)
+    assert_eq!(effective_neighbours::<f64, 1>(0.5, 3.0, 48.0), 32.0);
+    assert_eq!(effective_neighbours::<f64, 2>(0.5, 3.0, 48.0), 64.0);
+    assert_eq!(effective_neighbours::<f64, 3>(0.5, 3.0, 48.0), 128.0);
+}
+
+#[test]
+fn smoothing_length_goes_half_way() {
+    // Where the right one would be h/4 (1-D) or h/2: 2 (1 + 1/4) / 2, 2 (1 + 1/2) / 2. The roots of powers of two are
+    // exact but for the last.
+    assert_eq!(next_smoothing_length::<f64, 1>(2.0, 40.0, 10.0), 1.25);
+    assert_eq!(next_smoothing_length::<f64, 2>(2.0, 40.0, 10.0), 1.5);
+    assert_close("3-D", next_smoothing_length::<f64, 3>(2.0, 80.0, 10.0), 1.5, 8.0 * UNIT);
+    // And upwards.
+    assert_eq!(next_smoothing_length::<f64, 1>(2.0, 10.0, 40.0), 5.0);
+}
+
+fn fixed_point<const D: usize>() {
+    for k in 1..200 {
+        let (h, neighbours) = (0.01 * f64::from(k), 3.0 + 1.7 * f64::from(k));
+        assert_eq!(next_smoothing_length::<f64, D>(h, neighbours, neighbours), h, "{D}-D");
+        assert_eq!(next_smoothing_length::<f32, D>(h as f32, 64.1, 64.1), h as f32, "{D}-D");
+    }
+    // At constant volume the distance to the fixed point halves in every round.
+    let (ball, volume, wanted): (f64, f64, f64) = (4.0, 0.01, 50.0);
+    let goal = (wanted * volume / ball).powf(1.0 / D as f64);
+    let mut h = 3.0 * goal;
+    for _ in 0..20 {
+        let next = next_smoothing_length::<f64, D>(h, effective_neighbours::<f64, D>(1.0 / h, volume, ball), wanted);
+        // Some 20 roundings of h.
+        assert_close("distance to the goal", next - goal, 0.5 * (h - goal), 20.0 * UNIT * h);
+        h = next;
+    }
+}
+
+#[test]
+fn smoothing_length_has_its_fixed_point() {
+    fixed_point::<1>();
+    fixed_point::<2>();
+    fixed_point::<3>();
+}
+
+#[test]
+fn smoothed_pressure_is_a_hyperbolic_tangent() {
+    let tube = |x: f64| smoothed_pressure(x, 0.5, 0.01, 0.45, 0.55);
+    // exp(-y) stops at y = 32 with 1.27e-14, so either end is off by 0.45 * 2 * 1.27e-14; and three roundings.
+    let end = 0.9 * 1.27e-14 + 4.0 * UNIT;
+    assert_close("left end", tube(0.0), 1.0, end);
+    assert_close("right end", tube(1.0), 0.1, end);
+    assert_eq!(tube(0.5), 0.55);
+    for k in -100..=100 {
+        let x = 0.5 + 0.0013 * f64::from(k);
+        let y: f64 = (x - 0.5) / 0.01;
+        // exp is good to 16u, so is (1 - e)/(1 + e) to twice that; y itself is the same here and there.
+        let bound = 0.45 * 36.0 * UNIT + end;
+        assert_close(&format!("pressure at {x}"), tube(x), 0.55 - 0.45 * y.tanh(), bound);
+    }
+    // Other figures: B - A tanh(y), y = (3 - 1) / 4.
+    assert_close("general", smoothed_pressure(3.0, 1.0, 4.0, 2.0, 7.0), 7.0 - 2.0 * 0.5_f64.tanh(), 80.0 * UNIT);
+}

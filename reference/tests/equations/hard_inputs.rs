@@ -1,0 +1,113 @@
+//! Legal but hard values for every equation: zero where zero is allowed, and contrasts of many powers of ten. Nothing
+//! may turn into NaN or infinity.
+
+use crate::float::Float;
+use etalon_kernels_gen::Vector;
+use etalon_reference::equations::dissipation::*;
+use etalon_reference::equations::equation_of_state::*;
+use etalon_reference::equations::grad_h::*;
+use etalon_reference::equations::hydrodynamics::*;
+use etalon_reference::equations::initial_state::*;
+use etalon_reference::equations::reconstruction::*;
+use etalon_reference::equations::smoothing_length::*;
+use etalon_reference::equations::time_step::*;
+use etalon_reference::equations::volume_elements::*;
+
+/// What values an argument may have.
+#[derive(Clone, Copy)]
+enum Domain {
+    /// Masses, densities, volumes, smoothing lengths.
+    Positive,
+    /// Energies, sound speeds, distances.
+    NotNegative,
+    /// Velocities and rates.
+    Any,
+}
+use Domain::{Any, NotNegative, Positive};
+
+/// Calls `f` with every combination of hard values of its arguments.
+fn try_all<T: Float, const N: usize>(name: &str, domains: [Domain; N], extreme: f64, f: impl Fn([T; N]) -> T) {
+    let positive = [1.0 / extreme, 1e-3, 1.0, extreme];
+    let values = |domain: Domain| -> Vec<f64> {
+        let mut values = positive.to_vec();
+        match domain {
+            Positive => {}
+            NotNegative => values.push(0.0),
+            Any => values.extend([0.0, -0.0, -1.0 / extreme, -1.0, -extreme]),
+        }
+        values
+    };
+    let choices = domains.map(values);
+    let total: usize = choices.iter().map(Vec::len).product();
+    for mut index in 0..total {
+        let arguments: [f64; N] = std::array::from_fn(|i| {
+            let choice = &choices[i];
+            let value = choice[index % choice.len()];
+            index /= choice.len();
+            value
+        });
+        let result = f(arguments.map(T::lit)).to_f64();
+        assert!(result.is_finite(), "{name}{arguments:?} = {result}");
+    }
+}
+
+/// `extreme` is as far as the deepest product or quotient stays within the number's range.
+fn all_equations<T: Float>(extreme: f64) {
+    let line = |x: T| Vector([x]);
+    try_all("volume_estimator", [Positive; 2], extreme, |[a, b]: [T; 2]| volume_estimator(a, b));
+    try_all("volume_element", [Positive; 2], extreme, |[a, b]: [T; 2]| volume_element(a, b));
+    try_all("density", [Positive; 2], extreme, |[a, b]: [T; 2]| density(a, b));
+    try_all("pressure", [Positive, Positive, NotNegative], extreme, |[a, b, c]: [T; 3]| pressure(a, b, c));
+    try_all("sound_speed", [Positive, Any], extreme, |[a, b]: [T; 2]| sound_speed(a, b));
+    try_all("grad_h_factor", [Positive, Positive, Any], extreme, |[a, b, c]: [T; 3]| grad_h_factor::<T, 3>(a, b, c));
+    try_all("pressure_coefficient", [NotNegative, Any, Positive, Positive], extreme, |[a, b, c, d]: [T; 4]| {
+        pressure_coefficient(a, b, c, d)
+    });
+    try_all("crossed_weight", [NotNegative, NotNegative, Positive, Positive], extreme, |[a, b, c, d]: [T; 4]| {
+        crossed_weight(a, b, c, d)
+    });
+    try_all("approach_velocity", [Any, Any, NotNegative], extreme, |[a, b, c]: [T; 3]| {
+        approach_velocity(line(a), line(b), c)
+    });
+    try_all("signal_velocity", [NotNegative, NotNegative, Any], extreme, |[a, b, c]: [T; 3]| signal_velocity(a, b, c));
+    try_all("riemann_viscosity", [Positive, NotNegative, Any, Positive], extreme, |[a, b, c, d]: [T; 4]| {
+        riemann_viscosity(a, b, c, d)
+    });
+    try_all("pair_viscosity", [Positive, Positive, NotNegative, Any, Positive], extreme, |[a, b, c, d, e]: [T; 5]| {
+        pair_viscosity(a, b, c, d, e)
+    });
+    try_all("balsara_limiter", [Any, NotNegative, NotNegative, Positive], extreme, |[a, b, c, d]: [T; 4]| {
+        balsara_limiter(a, b, c, d)
+    });
+    try_all("slope_limiter", [Any, Any], extreme, |[a, b]: [T; 2]| slope_limiter(a, b));
+    try_all("short_range_factor", [NotNegative, Positive], extreme, |[a, b]: [T; 2]| {
+        short_range_factor(a, b, T::lit(5.0))
+    });
+    try_all("pair_separation", [NotNegative, Positive, Positive], extreme, |[a, b, c]: [T; 3]| {
+        pair_separation(a, b, c)
+    });
+    try_all("critical_separation", [Positive, Positive], extreme, |[a, b]: [T; 2]| critical_separation::<T, 3>(a, b));
+    try_all(
+        "reconstructed_approach_velocity",
+        [Any, NotNegative, Any, NotNegative, Any, NotNegative],
+        extreme,
+        |v: [T; 6]| reconstructed_approach_velocity(v[0], v[1], v[2], v[3], v[4], v[5]),
+    );
+    try_all("effective_neighbours", [Positive; 3], extreme, |[a, b, c]: [T; 3]| effective_neighbours::<T, 3>(a, b, c));
+    try_all("next_smoothing_length", [Positive; 3], extreme, |[a, b, c]: [T; 3]| {
+        next_smoothing_length::<T, 3>(a, b, c)
+    });
+    try_all("courant_step", [Positive, NotNegative], extreme, |[a, b]: [T; 2]| courant_step(a, b));
+    try_all("acceleration_step", [Positive, NotNegative], extreme, |[a, b]: [T; 2]| acceleration_step(a, b));
+    try_all("cooling_step", [Any, Any], extreme, |[a, b]: [T; 2]| cooling_step(a, b));
+    try_all("smoothed_pressure", [Any, Any, Positive], extreme, |[a, b, c]: [T; 3]| {
+        smoothed_pressure(a, b, c, T::lit(0.45), T::lit(0.55))
+    });
+}
+
+#[test]
+fn no_equation_leaves_the_numbers() {
+    // Four factors of 1e60 and a square of one; of 1e6.
+    all_equations::<f64>(1e50);
+    all_equations::<f32>(1e6);
+}
