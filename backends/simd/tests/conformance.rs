@@ -1,0 +1,44 @@
+//! The vector engine against the equations, at every instruction-set level this processor has.
+
+use etalon_kernels_gen::bounded::Roundoff;
+use etalon_kernels_gen::lanes::{available_levels, level_name};
+use etalon_kernels_gen::trace::{Double, Single};
+use etalon_reference::conformance::check_dimension;
+use etalon_simd::{LaneEngine, Number, Options};
+
+fn conforms<const D: usize, T: Number, P: Roundoff>() {
+    for level in available_levels() {
+        let summary = check_dimension::<D, P, _>(|set, fields| {
+            Ok(LaneEngine::<T, D>::new(set, fields, Options { level }))
+        });
+        let summary = summary.unwrap();
+        let (place, worst) = summary.worst.expect("nothing was compared");
+        println!("{} {} {D}-D: {} numbers; nearest to its bound: {place}: {worst}", T::NAME, level_name(level), summary.compared);
+        assert!(summary.failures.is_empty(), "{} failures:\n{}", summary.failures.len(), summary.failures.join("\n"));
+    }
+}
+
+#[test]
+fn double_precision_conforms_in_one_dimension() {
+    conforms::<1, f64, Double>();
+}
+#[test]
+fn double_precision_conforms_in_two_dimensions() {
+    conforms::<2, f64, Double>();
+}
+#[test]
+fn double_precision_conforms_in_three_dimensions() {
+    conforms::<3, f64, Double>();
+}
+#[test]
+fn single_precision_conforms_in_one_dimension() {
+    conforms::<1, f32, Single>();
+}
+#[test]
+fn single_precision_conforms_in_two_dimensions() {
+    conforms::<2, f32, Single>();
+}
+#[test]
+fn single_precision_conforms_in_three_dimensions() {
+    conforms::<3, f32, Single>();
+}
