@@ -19,6 +19,8 @@ fields! {
     MASS = "mass", "m", "M", Scalar;
     /// Smoothing length `h`: the kernel's support is a multiple of it.
     SMOOTHING_LENGTH = "smoothing_length", "h", "L", Scalar;
+    /// The smoothing length that would have held the wanted neighbours, `h_*`.
+    SETTLED_SMOOTHING_LENGTH = "settled_smoothing_length", "h_*", "L", Scalar;
     /// `1 / h`.
     INVERSE_SMOOTHING_LENGTH = "inverse_smoothing_length", "1/h", "L^-1", Scalar;
     /// Velocity `v`.

@@ -54,6 +54,7 @@ catalogue! {
 pub const STATE: &[Field] = &[
     fields::MASS,
     fields::SMOOTHING_LENGTH,
+    fields::SETTLED_SMOOTHING_LENGTH,
     fields::VELOCITY,
     fields::INTERNAL_ENERGY,
     fields::MOBILITY,

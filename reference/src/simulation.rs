@@ -24,8 +24,7 @@ pub struct Simulation<const D: usize, E> {
 impl<const D: usize, E: Engine<D>> Simulation<D, E> {
     /// Takes an engine with particles and computes their accelerations.
     ///
-    /// Smoothing lengths are first brought to the wanted neighbour number, with as many rounds of the update as it takes to halve an
-    /// error of two to one part in a thousand.
+    /// Smoothing lengths are first brought to the wanted neighbour number by some rounds of their update.
     pub fn new(mut engine: E, physics: Physics) -> Result<Self, EngineError> {
         let pipeline = Pipeline::of_scene::<D>(&physics);
         for axis in 0..D {
@@ -61,7 +60,7 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
     pub fn step(&mut self, until: f64) -> Result<f64, EngineError> {
         let rest = until - self.time;
         let step = self.next_step.min(rest);
-        if !(step > SHORTEST_STEP * self.time.max(rest)) {
+        if step.is_nan() || step <= SHORTEST_STEP * self.time.max(rest) {
             return Err(EngineError(format!(
                 "the time step has shrunk to {step:e} at time {}; a particle's state is not finite or changes too fast",
                 self.time

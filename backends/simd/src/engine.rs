@@ -72,6 +72,7 @@ impl<T: Number, const D: usize> LaneEngine<T, D> {
         };
         put(fields::MASS, 0, &|i| particles[i].mass);
         put(fields::SMOOTHING_LENGTH, 0, &|i| particles[i].smoothing_length);
+        put(fields::SETTLED_SMOOTHING_LENGTH, 0, &|i| particles[i].smoothing_length);
         put(fields::INTERNAL_ENERGY, 0, &|i| particles[i].internal_energy);
         put(fields::MOBILITY, 0, &|i| if particles[i].mobile { 1.0 } else { 0.0 });
         for axis in 0..D {

@@ -8,6 +8,8 @@
 #![forbid(unsafe_code)]
 
 mod engine;
+#[doc(hidden)]
+pub mod instances;
 pub mod neighbours;
 mod number;
 mod store;

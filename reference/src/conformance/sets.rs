@@ -26,9 +26,11 @@ pub enum Difficulty {
     NearVacuum,
     /// Smoothing lengths from a third to three times the fitting one.
     UnequalLengths,
-    /// A unit of length of 2^40.
+    /// A unit of length of 2^16. In `f32` and three dimensions `h^-4` leaves the range of normal numbers beyond 2^30 either way.
+    ///
+    /// Scenes use units of order one.
     Huge,
-    /// A unit of length of 2^-40.
+    /// A unit of length of 2^-16.
     Tiny,
 }
 
@@ -47,9 +49,10 @@ impl Difficulty {
         Difficulty::Tiny,
     ];
 
-    /// Whether some neighbourhoods are flat, so that their inverses have no useful bound.
+    /// Whether some neighbourhoods may be flat (or too small to span the space), so that their inverses have no useful bound.
     pub fn is_flat(self) -> bool {
-        matches!(self, Difficulty::Collinear | Difficulty::Coplanar | Difficulty::Isolated)
+        use Difficulty::{Collinear, Coplanar, Isolated, UnequalLengths};
+        matches!(self, Collinear | Coplanar | Isolated | UnequalLengths)
     }
 }
 
@@ -80,8 +83,8 @@ pub fn set<const D: usize>(
         .collect();
 
     let unit = match difficulty {
-        Difficulty::Huge => 1_099_511_627_776.0,
-        Difficulty::Tiny => 1.0 / 1_099_511_627_776.0,
+        Difficulty::Huge => 65_536.0,
+        Difficulty::Tiny => 1.0 / 65_536.0,
         _ => 1.0,
     };
     let mut origin = 0.0;

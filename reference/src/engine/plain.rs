@@ -74,6 +74,7 @@ impl<T: Scalar, const D: usize> PlainEngine<T, D> {
         };
         put(fields::MASS, 0, &|p| p.mass);
         put(fields::SMOOTHING_LENGTH, 0, &|p| p.smoothing_length);
+        put(fields::SETTLED_SMOOTHING_LENGTH, 0, &|p| p.smoothing_length);
         put(fields::INTERNAL_ENERGY, 0, &|p| p.internal_energy);
         put(fields::MOBILITY, 0, &|p| if p.mobile { 1.0 } else { 0.0 });
         for axis in 0..D {
@@ -193,9 +194,9 @@ impl<T: Scalar, const D: usize> Engine<D> for PlainEngine<T, D> {
 
     fn drift(&mut self) -> Result<(), EngineError> {
         let displacement = self.read_all(fields::DISPLACEMENT)?;
-        for axis in 0..D {
+        for (axis, (column, moves)) in self.coordinates.iter_mut().zip(&displacement).enumerate() {
             let length = self.length[axis];
-            for (coordinate, &d) in self.coordinates[axis].iter_mut().zip(&displacement[axis]) {
+            for (coordinate, &d) in column.iter_mut().zip(moves) {
                 if d.abs() * 2.0 >= length || !d.is_finite() {
                     return Err(EngineError(format!("a particle moves by {d} in one step along axis {axis}")));
                 }

@@ -55,6 +55,7 @@ pub fn density_derivative_exact<R: Real>(
 /// `{ (m/X) sum X_b D - rho S } + (k - X W_aa) { sum m_b D - (rho/k) S }`, all sums over the neighbours alone (the self terms cancel), with
 /// `S` of (30) and `rho / k = rho^0`. Tied to `X = m / rho^0`. Source: C25 (31).
 #[equation("c25:31")]
+#[allow(clippy::too_many_arguments)]
 pub fn density_derivative_corrected<R: Real>(
     mass: R,
     estimator: R,

@@ -34,10 +34,16 @@ pub fn kernel_shape<R: Real, const D: usize>(kernel: Kernel, q_squared: R) -> Sh
     }
 }
 
-/// The kernel's value at its own centre, `w(0)`: the self term of every sum.
+/// The kernel's value at its own centre, `w(0)`: the self term of every sum. A constant, so computed in `f64`.
 #[inline(always)]
 pub fn central_value<R: Real, const D: usize>(kernel: Kernel) -> R {
-    kernel_shape::<R, D>(kernel, R::zero()).value
+    R::lit(central_constant::<D>(kernel))
+}
+
+// Out of line: one copy of six kernels is enough for all the vector code that asks for their centres.
+#[inline(never)]
+fn central_constant<const D: usize>(kernel: Kernel) -> f64 {
+    kernel_shape::<f64, D>(kernel, 0.0).value
 }
 
 /// `h^-D` from `1/h`.

@@ -14,6 +14,10 @@ use crate::fields::*;
 use crate::schemes::GradH;
 use etalon_kernels_gen::{Matrix, Pass, Real, Scalar, Separation, Symmetric, Vector, record};
 
+/// The trace of the moment matrix in units of `h^2` below which a particle has no neighbours to speak of: one alone, half-way to the
+/// edge, makes 0.1.
+const SMALLEST_SPREAD: f64 = 1e-20;
+
 /// The inverse moment matrix `c` (C25 1, 2), Omega (C25 24, 31) and the pressure coefficient (C25 22).
 #[derive(Clone, Copy, Debug)]
 pub struct Gradients(pub Physics);
@@ -118,7 +122,7 @@ impl Gradients {
         let self_kernel = central_value::<R, D>(kernel) * scale;
         match self.0.grad_h {
             GradH::Exact => {
-                let shape = kernel_shape::<R, D>(kernel, R::zero());
+                let shape = Shape { value: central_value::<R, D>(kernel), slope_over_q: R::zero() };
                 let self_d = smoothing_length_derivative::<R, D>(shape, R::zero()) * scale * own.inverse_h;
                 density_derivative_exact(
                     own.mass,
@@ -162,8 +166,12 @@ impl<const D: usize> Pass<D> for Gradients {
         let partition_sum = sums.partition_derivative * scale * own.inverse_h;
         let derivative = self.density_derivative(own, partition_sum);
         let grad_h = grad_h_factor::<R, D>(R::one() / own.inverse_h, own.density, derivative);
+        // Neighbours that all but touch the edge of the support have no weight to speak of. In single precision the inverse of
+        // their moments would overflow; they count as none.
+        let spread = sums.moments.trace() * scale * (own.inverse_h * own.inverse_h);
+        let weight = R::pick(spread.gt(R::lit(SMALLEST_SPREAD)), scale, R::zero());
         GradientsOut {
-            c: inverse_moments(sums.moments.scale(scale)),
+            c: inverse_moments(sums.moments.scale(weight)),
             grad_h,
             pressure_coefficient: pressure_coefficient(
                 own.pressure,

@@ -1,7 +1,7 @@
 //! The time integration, particle by particle.
 
 use super::Physics;
-use crate::equations::smoothing_length::{effective_neighbours, next_smoothing_length};
+use crate::equations::smoothing_length::{effective_neighbours, next_smoothing_length, settled_smoothing_length};
 use crate::equations::reconstruction::support_volume;
 use crate::fields::*;
 use etalon_kernels_gen::{Real, Scalar, Update, Vector, record};
@@ -21,6 +21,7 @@ record! {
     /// Read.
     pub struct KickDriftOwn {
         h: Scalar = SMOOTHING_LENGTH,
+        settled: Scalar = SETTLED_SMOOTHING_LENGTH,
         inverse_h: Scalar = INVERSE_SMOOTHING_LENGTH,
         volume: Scalar = VOLUME,
         mobility: Scalar = MOBILITY,
@@ -34,6 +35,7 @@ record! {
     /// Written.
     pub struct KickDriftOut {
         h: Scalar = SMOOTHING_LENGTH,
+        settled: Scalar = SETTLED_SMOOTHING_LENGTH,
         velocity: Vector = VELOCITY,
         internal_energy: Scalar = INTERNAL_ENERGY,
         previous_acceleration: Vector = PREVIOUS_ACCELERATION,
@@ -72,8 +74,10 @@ impl<const D: usize> Update<D> for KickDrift {
         let middle = own.velocity + half_kick;
         let ball = R::lit(support_volume(D, self.0.kernel.support()));
         let neighbours = effective_neighbours::<R, D>(own.inverse_h, own.volume, ball);
+        let settled = settled_smoothing_length::<R, D>(own.h, neighbours, R::lit(self.0.neighbours));
         KickDriftOut {
-            h: next_smoothing_length::<R, D>(own.h, neighbours, R::lit(self.0.neighbours)),
+            h: next_smoothing_length(settled, own.settled),
+            settled,
             velocity: middle + half_kick,
             internal_energy: own.energy_rate.mul_add(time_step, own.internal_energy),
             previous_acceleration: own.acceleration,

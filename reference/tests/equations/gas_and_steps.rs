@@ -4,7 +4,9 @@ use crate::check::{UNIT, assert_close};
 use crate::float::Float;
 use etalon_reference::equations::equation_of_state::{pressure, sound_speed};
 use etalon_reference::equations::initial_state::smoothed_pressure;
-use etalon_reference::equations::smoothing_length::{effective_neighbours, next_smoothing_length};
+use etalon_reference::equations::smoothing_length::{
+    effective_neighbours, next_smoothing_length, settled_smoothing_length,
+};
 use etalon_reference::equations::time_step::{LONGEST_STEP, acceleration_step, cooling_step, courant_step};
 
 #[test]
@@ -67,32 +69,33 @@ fn effective_neighbours_is_support_over_volume() {
 }
 
 #[test]
-fn smoothing_length_goes_half_way() {
-    // Where the right one would be h/4 (1-D) or h/2: 2 (1 + 1/4) / 2, 2 (1 + 1/2) / 2. The roots of powers of two are
-    // exact but for the last.
-    assert_eq!(next_smoothing_length::<f64, 1>(2.0, 40.0, 10.0), 1.25);
-    assert_eq!(next_smoothing_length::<f64, 2>(2.0, 40.0, 10.0), 1.5);
-    assert_close("3-D", next_smoothing_length::<f64, 3>(2.0, 80.0, 10.0), 1.5, 8.0 * UNIT);
+fn smoothing_length_settles_and_carries_on() {
+    // Where the right one is h/4 (1-D) or h/2. The roots of powers of two are exact but for the last.
+    assert_eq!(settled_smoothing_length::<f64, 1>(2.0, 40.0, 10.0), 0.5);
+    assert_eq!(settled_smoothing_length::<f64, 2>(2.0, 40.0, 10.0), 1.0);
+    assert_close("3-D", settled_smoothing_length::<f64, 3>(2.0, 80.0, 10.0), 1.0, 8.0 * UNIT);
     // And upwards.
-    assert_eq!(next_smoothing_length::<f64, 1>(2.0, 10.0, 40.0), 5.0);
+    assert_eq!(settled_smoothing_length::<f64, 1>(2.0, 10.0, 40.0), 8.0);
+    // What grew by an eighth grows by an eighth again; no more than by a quarter, no less than to four fifths.
+    assert_eq!(next_smoothing_length(1.125, 1.0), 1.125 * 1.125);
+    assert_eq!(next_smoothing_length(2.0, 1.0), 2.5);
+    assert_eq!(next_smoothing_length(1.0, 2.0), 0.8);
 }
 
 fn fixed_point<const D: usize>() {
     for k in 1..200 {
         let (h, neighbours) = (0.01 * f64::from(k), 3.0 + 1.7 * f64::from(k));
-        assert_eq!(next_smoothing_length::<f64, D>(h, neighbours, neighbours), h, "{D}-D");
-        assert_eq!(next_smoothing_length::<f32, D>(h as f32, 64.1, 64.1), h as f32, "{D}-D");
+        let settled = settled_smoothing_length::<f64, D>(h, neighbours, neighbours);
+        assert_eq!((settled, next_smoothing_length(settled, h)), (h, h), "{D}-D");
+        assert_eq!(settled_smoothing_length::<f32, D>(h as f32, 64.1, 64.1), h as f32, "{D}-D");
     }
-    // At constant volume the distance to the fixed point halves in every round.
+    // At constant volume the settled one is the goal at once.
     let (ball, volume, wanted): (f64, f64, f64) = (4.0, 0.01, 50.0);
     let goal = (wanted * volume / ball).powf(1.0 / D as f64);
-    let mut h = 3.0 * goal;
-    for _ in 0..20 {
-        let next = next_smoothing_length::<f64, D>(h, effective_neighbours::<f64, D>(1.0 / h, volume, ball), wanted);
-        // Some 20 roundings of h.
-        assert_close("distance to the goal", next - goal, 0.5 * (h - goal), 20.0 * UNIT * h);
-        h = next;
-    }
+    let h = 3.0 * goal;
+    let settled = settled_smoothing_length::<f64, D>(h, effective_neighbours::<f64, D>(1.0 / h, volume, ball), wanted);
+    // Some 20 roundings of h.
+    assert_close("settled", settled, goal, 20.0 * UNIT * h);
 }
 
 #[test]

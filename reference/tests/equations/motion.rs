@@ -2,13 +2,13 @@
 
 use crate::check::{UNIT, assert_close, gamma};
 use crate::cloud::Recipe;
-use etalon_kernels_gen::{Field, Quantity, Symmetric, Update};
+use etalon_kernels_gen::{Field, Pass, Quantity, Separation, Symmetric, Update, Vector};
 use etalon_reference::domain::separation;
 use etalon_reference::engine::{Engine, PlainEngine};
 use etalon_reference::equations::kernels::kernel_shape;
 use etalon_reference::fields;
 use etalon_reference::particles::{Particle, ParticleSet};
-use etalon_reference::passes::{Correct, KickDrift, Physics};
+use etalon_reference::passes::{Correct, KickDrift, Momentum, Physics};
 use etalon_reference::pipeline::Pipeline;
 use etalon_reference::schemes::{Dissipation, GradH, Kernel, Viscosity};
 
@@ -233,6 +233,32 @@ fn numbers<Q: Quantity<f64>>(record: Q) -> Vec<f64> {
     let mut values = Vec::new();
     record.for_each(|value| values.push(value));
     values
+}
+
+/// The shortest of the three steps is taken, whichever it is.
+#[test]
+fn time_step_is_the_shortest_of_three() {
+    let sweep = Momentum(physics(Dissipation::Av, GradH::Corrected));
+    // h = 2, c = 3, u = 10; of the rest nothing matters here: m, 1/h, v, rho, rho0, c, Y, c_xx, u, mobility.
+    let own: <Momentum as Pass<1>>::Own<f64> = record(&[1.0, 0.5, 0.0, 1.0, 1.0, 3.0, 0.0, 0.0, 10.0, 1.0]);
+    let step = |acceleration: f64, heating: f64, signal: f64| {
+        let sums = record(&[acceleration, heating, signal]);
+        numbers(<Momentum as Pass<1>>::finish(&sweep, &own, &sums))[2]
+    };
+    // 0.4 h / v_sig; without neighbours twice the particle's own sound speed.
+    assert_eq!(step(0.0, 0.0, 8.0), 0.1);
+    assert_close("alone", step(0.0, 0.0, 0.0), 0.8 / 6.0, UNIT);
+    // 0.25 sqrt(2 / 800) and 0.5 * 10 / 1000; heating is no reason to hurry.
+    assert_eq!(step(-800.0, 0.0, 8.0), 0.0125);
+    assert_eq!(step(0.0, -1000.0, 8.0), 0.005);
+    assert_eq!(step(0.0, 1000.0, 8.0), 0.1);
+
+    // Particles that fly apart send signals at the sum of their sound speeds, no slower: c_b = 5, v_ab along x_ab.
+    let other = |velocity: f64| record(&[1.0, 0.5, velocity, 1.0, 1.0, 5.0, 0.0, 0.0]);
+    let at = Separation { x_ab: Vector([1.0]), r_squared: 1.0 };
+    let signal = |velocity: f64| numbers(<Momentum as Pass<1>>::pair(&sweep, &own, &other(velocity), &at))[2];
+    assert_eq!(signal(-2.0), 8.0);
+    assert_eq!(signal(2.0), 14.0);
 }
 
 /// `v_half = v + a dt/2`, `dx = v_half dt`, `v = v_half + a dt/2`; and back to the mean of the old and new rates.
