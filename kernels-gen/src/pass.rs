@@ -37,7 +37,8 @@ pub trait Pass<const D: usize>: Copy + Send + Sync + 'static {
     const NAME: &'static str;
 
     /// What one neighbour contributes.
-    fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, separation: &Separation<R, D>) -> Self::Sums<R>;
+    fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, separation: &Separation<R, D>)
+    -> Self::Sums<R>;
     /// What the particle makes of the sums.
     fn finish<R: Real>(&self, own: &Self::Own<R>, sums: &Self::Sums<R>) -> Self::Out<R>;
 }

@@ -151,7 +151,8 @@ fn verdict<P: Roundoff>(pass: &'static str, component: String, found: &[f64], ex
         unbounded: expected.iter().filter(|e| e.error().is_infinite()).count(),
         particles: expected.len(),
     };
-    let worst = (0..expected.len()).max_by(|&a, &b| one_ratio(found[a], expected[a]).total_cmp(&one_ratio(found[b], expected[b])));
+    let worst = (0..expected.len())
+        .max_by(|&a, &b| one_ratio(found[a], expected[a]).total_cmp(&one_ratio(found[b], expected[b])));
     one(worst.unwrap_or(0))
 }
 
@@ -215,11 +216,11 @@ pub fn check_dimension<const D: usize, P: Roundoff, E: Engine<D>>(
         let tried = if round == 0 || scene == usual { Difficulty::ALL } else { &Difficulty::ALL[..2] };
         for &difficulty in tried {
             let across = [24, 10, 9][D - 1];
-            let set = sets::set::<D>(difficulty, across, &physics, 1 + round as u64).map_err(EngineError::from_display)?;
+            let set =
+                sets::set::<D>(difficulty, across, &physics, 1 + round as u64).map_err(EngineError::from_display)?;
             let fields = Pipeline::of_scene::<D>(&physics).fields::<D>();
             let mut engine = make(&set, &fields)?;
-            let place =
-                format!("{D}-D, {difficulty:?}, {}, {}, {}", scene.dissipation, scene.kernel, scene.grad_h);
+            let place = format!("{D}-D, {difficulty:?}, {}, {}, {}", scene.dissipation, scene.kernel, scene.grad_h);
             let verdicts = check_passes::<D, P, E>(&set, physics, &mut engine)
                 .map_err(|e| EngineError(format!("{place}: {e}")))?;
             summary.add(&place, difficulty, verdicts);

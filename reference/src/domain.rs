@@ -17,7 +17,9 @@ pub enum DomainError {
         upper: f64,
     },
     /// A particle is outside.
-    #[error("particle {particle} is at {value} on axis {axis}, outside the box from {lower} to {upper}; enlarge the box")]
+    #[error(
+        "particle {particle} is at {value} on axis {axis}, outside the box from {lower} to {upper}; enlarge the box"
+    )]
     Outside {
         /// Which particle, from 0.
         particle: usize,

@@ -38,9 +38,7 @@ pub enum LedgerError {
         found: String,
     },
     /// An equation has an unknown, missing or mistyped key.
-    #[error(
-        "{file}, equation {equation}: {message}; see spec/README.md for the keys of an equation"
-    )]
+    #[error("{file}, equation {equation}: {message}; see spec/README.md for the keys of an equation")]
     BadEntry {
         /// The file.
         file: String,
@@ -50,9 +48,7 @@ pub enum LedgerError {
         message: String,
     },
     /// A number is outside the paper's range.
-    #[error(
-        "{file}, equation {number}, field `number`: the paper's equations are 1 to {last}; correct the number"
-    )]
+    #[error("{file}, equation {number}, field `number`: the paper's equations are 1 to {last}; correct the number")]
     NumberOutOfRange {
         /// The file.
         file: String,
@@ -62,9 +58,7 @@ pub enum LedgerError {
         last: u16,
     },
     /// A number occurs twice.
-    #[error(
-        "{file}, equation {number}, field `number`: it occurs twice; keep one entry for each number"
-    )]
+    #[error("{file}, equation {number}, field `number`: it occurs twice; keep one entry for each number")]
     DuplicateNumber {
         /// The file.
         file: String,
@@ -72,9 +66,7 @@ pub enum LedgerError {
         number: u16,
     },
     /// A number does not occur.
-    #[error(
-        "{file}: equation {number} is missing; the file needs an [[equation]] for every number from 1 to {last}"
-    )]
+    #[error("{file}: equation {number} is missing; the file needs an [[equation]] for every number from 1 to {last}")]
     MissingNumber {
         /// The file.
         file: String,

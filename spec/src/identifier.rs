@@ -28,10 +28,7 @@ pub enum IdError {
         text: String,
     },
     /// The key names no paper of the ledger.
-    #[error(
-        "`{text}`: the ledger has no paper `{paper}`; its papers are {}",
-        papers()
-    )]
+    #[error("`{text}`: the ledger has no paper `{paper}`; its papers are {}", papers())]
     UnknownPaper {
         /// What was given.
         text: String,
@@ -74,10 +71,7 @@ impl EquationId {
         if (1..=paper.last_number()).contains(&number) {
             Ok(Self { paper, number })
         } else {
-            Err(IdError::OutOfRange {
-                paper,
-                number: u64::from(number),
-            })
+            Err(IdError::OutOfRange { paper, number: u64::from(number) })
         }
     }
 
@@ -115,15 +109,10 @@ impl FromStr for EquationId {
 
     fn from_str(text: &str) -> Result<Self, IdError> {
         let Some((key, digits)) = text.split_once(':') else {
-            return Err(IdError::Shape {
-                text: text.to_owned(),
-            });
+            return Err(IdError::Shape { text: text.to_owned() });
         };
         let Some(paper) = Paper::from_key(key) else {
-            return Err(IdError::UnknownPaper {
-                text: text.to_owned(),
-                paper: key.to_owned(),
-            });
+            return Err(IdError::UnknownPaper { text: text.to_owned(), paper: key.to_owned() });
         };
         // One spelling per equation, so that identifiers can be compared as text: `gs25:08` is refused.
         let plain = !digits.is_empty()
@@ -132,11 +121,7 @@ impl FromStr for EquationId {
         let number = match digits.parse::<u64>() {
             Ok(number) if plain => number,
             _ => {
-                return Err(IdError::NotANumber {
-                    text: text.to_owned(),
-                    paper,
-                    number: digits.to_owned(),
-                });
+                return Err(IdError::NotANumber { text: text.to_owned(), paper, number: digits.to_owned() });
             }
         };
         match u16::try_from(number) {

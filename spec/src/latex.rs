@@ -25,11 +25,7 @@ pub(crate) fn tokens(formula: &str) -> Vec<Token> {
         }
         split.push(token);
         let end = split.len();
-        if end >= 3
-            && split[end - 1] == "}"
-            && split[end - 3] == "{"
-            && !matches!(split[end - 2].as_str(), "{" | "}")
-        {
+        if end >= 3 && split[end - 1] == "}" && split[end - 3] == "{" && !matches!(split[end - 2].as_str(), "{" | "}") {
             split.remove(end - 1);
             split.remove(end - 3);
         }
@@ -55,17 +51,12 @@ pub(crate) fn fault(text: &str) -> Option<String> {
                 } else if let Some(name) = environment(rest, "\\end{")
                     && environments.pop() != Some(name)
                 {
-                    return Some(format!(
-                        "`\\end{{{name}}}` closes no environment of that name"
-                    ));
+                    return Some(format!("`\\end{{{name}}}` closes no environment of that name"));
                 }
             }
             '{' => depth += 1,
             '}' if depth == 0 => {
-                return Some(format!(
-                    "a closing brace at character {} has no opening one",
-                    consumed + 1
-                ));
+                return Some(format!("a closing brace at character {} has no opening one", consumed + 1));
             }
             '}' => depth -= 1,
             '$' => dollars += 1,
@@ -84,9 +75,7 @@ pub(crate) fn fault(text: &str) -> Option<String> {
 }
 
 fn environment<'text>(text: &'text str, opening: &str) -> Option<&'text str> {
-    text.strip_prefix(opening)?
-        .split_once('}')
-        .map(|(name, _)| name)
+    text.strip_prefix(opening)?.split_once('}').map(|(name, _)| name)
 }
 
 /// Where `symbol` occurs in `formula`, as ranges of tokens.
@@ -155,14 +144,7 @@ fn after_argument(formula: &[Token], start: usize) -> usize {
 }
 
 /// Commands whose argument is a word, not symbols.
-const WORDS: [&str; 6] = [
-    "\\text",
-    "\\mathrm",
-    "\\operatorname",
-    "\\begin",
-    "\\end",
-    "\\tag",
-];
+const WORDS: [&str; 6] = ["\\text", "\\mathrm", "\\operatorname", "\\begin", "\\end", "\\tag"];
 
 fn is_letter(token: &str) -> bool {
     match token.strip_prefix('\\') {

@@ -70,25 +70,16 @@ impl PaperLedger {
     /// # Errors
     /// [`LedgerError`] for the first fault found.
     pub fn parse(paper: Paper, file: &str, text: &str) -> Result<Self, LedgerError> {
-        let table =
-            parse_table(text).map_err(|ReadError { line, message }| LedgerError::NotToml {
-                file: file.to_owned(),
-                line: line.unwrap_or(0),
-                message,
-            })?;
-        let header_fault = |message| LedgerError::BadHeader {
+        let table = parse_table(text).map_err(|ReadError { line, message }| LedgerError::NotToml {
             file: file.to_owned(),
+            line: line.unwrap_or(0),
             message,
-        };
-        let raw: RawFile =
-            typed(toml::Value::Table(table)).map_err(|error| header_fault(error.message))?;
+        })?;
+        let header_fault = |message| LedgerError::BadHeader { file: file.to_owned(), message };
+        let raw: RawFile = typed(toml::Value::Table(table)).map_err(|error| header_fault(error.message))?;
         if raw.paper != paper.key() {
             let expected = paper.key().to_owned();
-            return Err(LedgerError::WrongPaper {
-                file: file.to_owned(),
-                expected,
-                found: raw.paper,
-            });
+            return Err(LedgerError::WrongPaper { file: file.to_owned(), expected, found: raw.paper });
         }
         for (field, text) in [("citation", &raw.citation), ("about", &raw.about)] {
             if text.trim().is_empty() {
@@ -133,11 +124,7 @@ fn typed_entry(file: &str, position: usize, value: toml::Value) -> Result<RawEnt
         Some(number) => number.to_string(),
         None => format!("without a number, at place {} of the file", position + 1),
     };
-    typed(value).map_err(|error| LedgerError::BadEntry {
-        file: file.to_owned(),
-        equation,
-        message: error.message,
-    })
+    typed(value).map_err(|error| LedgerError::BadEntry { file: file.to_owned(), equation, message: error.message })
 }
 
 fn checked_symbols(file: &str, id: EquationId, raw: RawEntry) -> Result<Entry, LedgerError> {
@@ -145,17 +132,10 @@ fn checked_symbols(file: &str, id: EquationId, raw: RawEntry) -> Result<Entry, L
         .symbols
         .into_iter()
         .map(|symbol| match symbol.unit.parse() {
-            Ok(unit) => Ok(Symbol {
-                latex: symbol.symbol,
-                name: one_line(&symbol.name),
-                unit,
-            }),
-            Err(source) => Err(LedgerError::BadUnit {
-                file: file.to_owned(),
-                number: id.number(),
-                symbol: symbol.symbol,
-                source,
-            }),
+            Ok(unit) => Ok(Symbol { latex: symbol.symbol, name: one_line(&symbol.name), unit }),
+            Err(source) => {
+                Err(LedgerError::BadUnit { file: file.to_owned(), number: id.number(), symbol: symbol.symbol, source })
+            }
         })
         .collect::<Result<Vec<_>, _>>()?;
     let trimmed = |text: String| text.trim().to_owned();

@@ -36,9 +36,7 @@ impl Ledger {
                 let encoding = if encoded.contains(&entry.id) {
                     Encoding::Encoded
                 } else {
-                    Encoding::NotYetEncoded {
-                        reason: entry.kind.reason_not_encoded(),
-                    }
+                    Encoding::NotYetEncoded { reason: entry.kind.reason_not_encoded() }
                 };
                 EntryStatus { entry, encoding }
             })

@@ -13,19 +13,14 @@ pub(crate) struct ReadError {
 /// Parses the text of a whole file.
 pub(crate) fn parse_table(text: &str) -> Result<toml::Table, ReadError> {
     text.parse::<toml::Table>().map_err(|error| ReadError {
-        line: error
-            .span()
-            .map(|span| 1 + text[..span.start.min(text.len())].matches('\n').count()),
+        line: error.span().map(|span| 1 + text[..span.start.min(text.len())].matches('\n').count()),
         message: one_line(error.message()),
     })
 }
 
 /// Gives a parsed value its type.
 pub(crate) fn typed<T: DeserializeOwned>(value: toml::Value) -> Result<T, ReadError> {
-    T::deserialize(value).map_err(|error| ReadError {
-        line: None,
-        message: one_line(error.message()),
-    })
+    T::deserialize(value).map_err(|error| ReadError { line: None, message: one_line(error.message()) })
 }
 
 /// Joins the lines of a text and removes the indentation it has in its file.

@@ -81,9 +81,7 @@ pub enum UnitError {
     #[error("the unit is empty; write `1` for a pure number")]
     Empty,
     /// A factor starts with something else than a base letter.
-    #[error(
-        "`{factor}` does not start with M (mass), L (length), T (time) or F (the field's own unit)"
-    )]
+    #[error("`{factor}` does not start with M (mass), L (length), T (time) or F (the field's own unit)")]
     UnknownBase {
         /// The factor.
         factor: String,
@@ -106,12 +104,7 @@ pub enum UnitError {
 
 impl Unit {
     /// The unit of a pure number.
-    pub const DIMENSIONLESS: Self = Self {
-        exponents: [Exponent {
-            constant: 0,
-            per_dimension: 0,
-        }; 4],
-    };
+    pub const DIMENSIONLESS: Self = Self { exponents: [Exponent { constant: 0, per_dimension: 0 }; 4] };
 
     /// The unit with these exponents, in the order of [`Base::ALL`].
     #[must_use]
@@ -140,31 +133,17 @@ impl FromStr for Unit {
         }
         let mut seen = [false; 4];
         for factor in text.split_whitespace() {
-            let base = Base::ALL
-                .into_iter()
-                .find(|base| factor.starts_with(base.letter()));
+            let base = Base::ALL.into_iter().find(|base| factor.starts_with(base.letter()));
             let Some(base) = base else {
-                return Err(UnitError::UnknownBase {
-                    factor: factor.to_owned(),
-                });
+                return Err(UnitError::UnknownBase { factor: factor.to_owned() });
             };
             if std::mem::replace(&mut seen[base.position()], true) {
-                return Err(UnitError::Repeated {
-                    letter: base.letter(),
-                });
+                return Err(UnitError::Repeated { letter: base.letter() });
             }
-            let unreadable = || UnitError::Exponent {
-                factor: factor.to_owned(),
-            };
+            let unreadable = || UnitError::Exponent { factor: factor.to_owned() };
             let exponent = match &factor[base.letter().len_utf8()..] {
-                "" => Exponent {
-                    constant: 1,
-                    per_dimension: 0,
-                },
-                rest => rest
-                    .strip_prefix('^')
-                    .and_then(parse_exponent)
-                    .ok_or_else(unreadable)?,
+                "" => Exponent { constant: 1, per_dimension: 0 },
+                rest => rest.strip_prefix('^').and_then(parse_exponent).ok_or_else(unreadable)?,
             };
             // `L^0` says nothing and would make two spellings of one unit.
             if exponent.is_zero() {
@@ -178,26 +157,14 @@ impl FromStr for Unit {
 
 /// Reads `2`, `-nu`, `2nu` or, in brackets, a constant followed by a multiple of `nu`: `(2-nu)`, `(-1-nu)`.
 fn parse_exponent(text: &str) -> Option<Exponent> {
-    let bracketed = text
-        .strip_prefix('(')
-        .and_then(|rest| rest.strip_suffix(')'));
+    let bracketed = text.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
     let Some(sum) = bracketed else {
         return match text.strip_suffix("nu") {
-            Some(factor) => Some(Exponent {
-                constant: 0,
-                per_dimension: parse_factor(factor)?,
-            }),
-            None => Some(Exponent {
-                constant: parse_integer(text)?,
-                per_dimension: 0,
-            }),
+            Some(factor) => Some(Exponent { constant: 0, per_dimension: parse_factor(factor)? }),
+            None => Some(Exponent { constant: parse_integer(text)?, per_dimension: 0 }),
         };
     };
-    let split = sum
-        .char_indices()
-        .skip(1)
-        .find(|(_, letter)| matches!(letter, '+' | '-'))?
-        .0;
+    let split = sum.char_indices().skip(1).find(|(_, letter)| matches!(letter, '+' | '-'))?.0;
     let (constant, multiple) = sum.split_at(split);
     let factor = multiple.strip_suffix("nu")?;
     let exponent = Exponent {
@@ -252,13 +219,6 @@ impl fmt::Display for Unit {
                 }
             })
             .collect();
-        formatter.pad(
-            if factors.is_empty() {
-                "1".to_owned()
-            } else {
-                factors.join(" ")
-            }
-            .as_str(),
-        )
+        formatter.pad(if factors.is_empty() { "1".to_owned() } else { factors.join(" ") }.as_str())
     }
 }

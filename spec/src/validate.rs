@@ -14,32 +14,17 @@ pub(crate) fn numbers(paper: Paper, file: &str, numbers: &[u16]) -> Result<(), L
     let mut seen = BTreeSet::new();
     for &number in numbers {
         if !(1..=last).contains(&number) {
-            return Err(LedgerError::NumberOutOfRange {
-                file: file(),
-                number,
-                last,
-            });
+            return Err(LedgerError::NumberOutOfRange { file: file(), number, last });
         }
         if !seen.insert(number) {
-            return Err(LedgerError::DuplicateNumber {
-                file: file(),
-                number,
-            });
+            return Err(LedgerError::DuplicateNumber { file: file(), number });
         }
     }
     if let Some(number) = (1..=last).find(|number| !seen.contains(number)) {
-        return Err(LedgerError::MissingNumber {
-            file: file(),
-            number,
-            last,
-        });
+        return Err(LedgerError::MissingNumber { file: file(), number, last });
     }
     match numbers.windows(2).find(|pair| pair[0] > pair[1]) {
-        Some(pair) => Err(LedgerError::OutOfOrder {
-            file: file(),
-            number: pair[1],
-            previous: pair[0],
-        }),
+        Some(pair) => Err(LedgerError::OutOfOrder { file: file(), number: pair[1], previous: pair[0] }),
         None => Ok(()),
     }
 }
@@ -65,38 +50,20 @@ pub(crate) fn entry(
         ("open_question", entry.open_question.as_deref()),
         ("deviation", entry.deviation.as_deref()),
     ];
-    let present = optional
-        .into_iter()
-        .filter_map(|(field, text)| Some((field, text?)));
+    let present = optional.into_iter().filter_map(|(field, text)| Some((field, text?)));
     for (field, text) in required.into_iter().chain(present) {
         if text.trim().is_empty() {
-            return Err(LedgerError::EmptyField {
-                file: file(),
-                number,
-                field,
-            });
+            return Err(LedgerError::EmptyField { file: file(), number, field });
         }
         if let Some(fault) = latex::fault(text) {
-            return Err(LedgerError::Unbalanced {
-                file: file(),
-                number,
-                field,
-                fault,
-            });
+            return Err(LedgerError::Unbalanced { file: file(), number, field, fault });
         }
     }
     if entry.symbols.is_empty() {
-        return Err(LedgerError::EmptyField {
-            file: file(),
-            number,
-            field: "symbols",
-        });
+        return Err(LedgerError::EmptyField { file: file(), number, field: "symbols" });
     }
     if entry.confidence == Confidence::Open && entry.open_question.is_none() {
-        return Err(LedgerError::OpenWithoutQuestion {
-            file: file(),
-            number,
-        });
+        return Err(LedgerError::OpenWithoutQuestion { file: file(), number });
     }
 
     let formula = latex::tokens(&entry.latex);
@@ -104,51 +71,27 @@ pub(crate) fn entry(
     let mut listed = BTreeSet::new();
     for symbol in &entry.symbols {
         if symbol.name.trim().is_empty() {
-            return Err(LedgerError::EmptyField {
-                file: file(),
-                number,
-                field: "symbols.name",
-            });
+            return Err(LedgerError::EmptyField { file: file(), number, field: "symbols.name" });
         }
         if let Some(fault) = latex::fault(&symbol.latex) {
-            return Err(LedgerError::Unbalanced {
-                file: file(),
-                number,
-                field: "symbols.symbol",
-                fault,
-            });
+            return Err(LedgerError::Unbalanced { file: file(), number, field: "symbols.symbol", fault });
         }
         let own = latex::tokens(&symbol.latex);
         if !listed.insert(own.clone()) {
-            return Err(LedgerError::DuplicateSymbol {
-                file: file(),
-                number,
-                symbol: symbol.latex.clone(),
-            });
+            return Err(LedgerError::DuplicateSymbol { file: file(), number, symbol: symbol.latex.clone() });
         }
         let partner = latex::swapped(&own, &particles.0, &particles.1);
         let places = latex::occurrences(&formula, &own);
         if places.is_empty() {
-            return Err(LedgerError::SymbolNotInFormula {
-                file: file(),
-                number,
-                symbol: symbol.latex.clone(),
-            });
+            return Err(LedgerError::SymbolNotInFormula { file: file(), number, symbol: symbol.latex.clone() });
         }
-        for place in places
-            .into_iter()
-            .chain(latex::occurrences(&formula, &partner))
-        {
+        for place in places.into_iter().chain(latex::occurrences(&formula, &partner)) {
             covered[place].fill(true);
         }
     }
     let letters: Vec<&str> = indices.iter().map(|index| index.letter.as_str()).collect();
     match latex::unexplained(&formula, &covered, &letters) {
-        Some(letter) => Err(LedgerError::UnexplainedLetter {
-            file: file(),
-            number,
-            letter: letter.clone(),
-        }),
+        Some(letter) => Err(LedgerError::UnexplainedLetter { file: file(), number, letter: letter.clone() }),
         None => Ok(()),
     }
 }

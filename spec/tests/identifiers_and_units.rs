@@ -5,11 +5,8 @@ use proptest::prelude::*;
 
 #[test]
 fn identifiers_that_exist() {
-    for (text, paper, number) in [
-        ("gs25:1", Paper::Gs25, 1),
-        ("gs25:30", Paper::Gs25, 30),
-        ("c25:33", Paper::C25, 33),
-    ] {
+    for (text, paper, number) in [("gs25:1", Paper::Gs25, 1), ("gs25:30", Paper::Gs25, 30), ("c25:33", Paper::C25, 33)]
+    {
         let id = exists(text).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!((id.paper(), id.number()), (paper, number));
     }
@@ -23,26 +20,11 @@ fn identifiers_that_do_not_exist_say_what_would() {
             "gs25-8",
             "`gs25-8` is not an equation identifier: write the paper's key, a colon and the number, for example `gs25:13`",
         ),
-        (
-            "gs24:8",
-            "`gs24:8`: the ledger has no paper `gs24`; its papers are gs25, pl20, c25",
-        ),
-        (
-            "GS25:8",
-            "`GS25:8`: the ledger has no paper `GS25`; its papers are gs25, pl20, c25",
-        ),
-        (
-            "gs25:31",
-            "gs25 has no equation 31; its equations are 1 to 30",
-        ),
-        (
-            "pl20:0",
-            "pl20 has no equation 0; its equations are 1 to 16",
-        ),
-        (
-            "c25:65537",
-            "c25 has no equation 65537; its equations are 1 to 33",
-        ),
+        ("gs24:8", "`gs24:8`: the ledger has no paper `gs24`; its papers are gs25, pl20, c25"),
+        ("GS25:8", "`GS25:8`: the ledger has no paper `GS25`; its papers are gs25, pl20, c25"),
+        ("gs25:31", "gs25 has no equation 31; its equations are 1 to 30"),
+        ("pl20:0", "pl20 has no equation 0; its equations are 1 to 16"),
+        ("c25:65537", "c25 has no equation 65537; its equations are 1 to 33"),
         (
             "pl20:08",
             "`pl20:08`: `08` is not an equation number; write digits without sign, spaces or leading zeros, pl20 has 1 to 16",
@@ -50,27 +32,13 @@ fn identifiers_that_do_not_exist_say_what_would() {
     ] {
         assert_eq!(exists(text).unwrap_err().to_string(), message);
     }
-    for text in [
-        "gs25:",
-        "gs25:+8",
-        "gs25: 8",
-        "gs25:8 ",
-        "gs25:8:1",
-        "gs25:99999999999999999999",
-        "gs25:٣",
-    ] {
-        assert!(
-            matches!(exists(text), Err(IdError::NotANumber { .. })),
-            "{text}"
-        );
+    for text in ["gs25:", "gs25:+8", "gs25: 8", "gs25:8 ", "gs25:8:1", "gs25:99999999999999999999", "gs25:٣"] {
+        assert!(matches!(exists(text), Err(IdError::NotANumber { .. })), "{text}");
     }
 }
 
 fn any_exponent() -> impl Strategy<Value = Exponent> {
-    (any::<i8>(), any::<i8>()).prop_map(|(constant, per_dimension)| Exponent {
-        constant,
-        per_dimension,
-    })
+    (any::<i8>(), any::<i8>()).prop_map(|(constant, per_dimension)| Exponent { constant, per_dimension })
 }
 
 proptest! {
@@ -118,9 +86,7 @@ proptest! {
 #[test]
 fn units_are_read_as_they_are_meant() {
     let exponents = |text: &str| {
-        let unit: Unit = text
-            .parse()
-            .unwrap_or_else(|error| panic!("{text}: {error}"));
+        let unit: Unit = text.parse().unwrap_or_else(|error| panic!("{text}: {error}"));
         Base::ALL.map(|base| unit.exponent(base).in_dimensions(3))
     };
     assert_eq!(exponents("1"), [0, 0, 0, 0]);
@@ -135,23 +101,11 @@ fn units_are_read_as_they_are_meant() {
 fn units_that_cannot_be_read() {
     let fault = |text: &str| text.parse::<Unit>().unwrap_err();
     assert_eq!(fault("  "), UnitError::Empty);
-    assert_eq!(
-        fault("kg"),
-        UnitError::UnknownBase {
-            factor: "kg".into()
-        }
-    );
+    assert_eq!(fault("kg"), UnitError::UnknownBase { factor: "kg".into() });
     assert_eq!(fault("M 1"), UnitError::UnknownBase { factor: "1".into() });
     assert_eq!(fault("L T L"), UnitError::Repeated { letter: 'L' });
-    for text in [
-        "L^", "L^0", "L2", "L^+2", "L^02", "L^2.5", "L^(2)", "L^(nu)", "L^(2-nu", "L^(0+nu)",
-        "L^200", "L^nu2",
-    ] {
-        assert_eq!(
-            fault(text),
-            UnitError::Exponent {
-                factor: text.into()
-            }
-        );
+    for text in ["L^", "L^0", "L2", "L^+2", "L^02", "L^2.5", "L^(2)", "L^(nu)", "L^(2-nu", "L^(0+nu)", "L^200", "L^nu2"]
+    {
+        assert_eq!(fault(text), UnitError::Exponent { factor: text.into() });
     }
 }

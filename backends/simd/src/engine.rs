@@ -122,7 +122,10 @@ impl<T: Number, const D: usize> LaneEngine<T, D> {
         };
         let most = layout.record_len(D).max(layout.reductions.len());
         if most > MOST {
-            return Err(EngineError(format!("pass {} handles {most} numbers a pair; the most is {MOST}", footprint.name)));
+            return Err(EngineError(format!(
+                "pass {} handles {most} numbers a pair; the most is {MOST}",
+                footprint.name
+            )));
         }
         Ok(layout)
     }
@@ -186,11 +189,13 @@ impl<T: Number, const D: usize> Engine<D> for LaneEngine<T, D> {
         let (records, level) = (&self.records, self.level);
         let unit = self.length.map(T::Coordinate::unit);
         let segments = self.list.segments();
-        self.store.blocks_mut().par_chunks_mut(SEGMENT / BLOCK * block_len).zip(segments).for_each(|(blocks, segment)| {
-            let layout = &layout;
-            let inputs = Inputs { pass, layout, segment, coordinates, records, unit };
-            dispatch(level, SegmentSweep { inputs, block_len, blocks });
-        });
+        self.store.blocks_mut().par_chunks_mut(SEGMENT / BLOCK * block_len).zip(segments).for_each(
+            |(blocks, segment)| {
+                let layout = &layout;
+                let inputs = Inputs { pass, layout, segment, coordinates, records, unit };
+                dispatch(level, SegmentSweep { inputs, block_len, blocks });
+            },
+        );
         self.timings.add(P::NAME, start);
         Ok(())
     }

@@ -1,8 +1,8 @@
 //! What the driver needs of `f32` and `f64` beyond arithmetic: loading, storing, and turning records into lanes.
 
 use crate::neighbours::Coordinate;
-use etalon_kernels_gen::{Fused, Real, Reduction};
 use etalon_kernels_gen::lanes::LaneLevel;
+use etalon_kernels_gen::{Fused, Real, Reduction};
 use etalon_reference::domain::{moved, nearest};
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x16, f64x8, i32x16, i64x8, mask32x16, mask64x8, u32x4, u32x8, u32x16, u64x4, u64x8};

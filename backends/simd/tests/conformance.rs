@@ -8,12 +8,16 @@ use etalon_simd::{LaneEngine, Number, Options};
 
 fn conforms<const D: usize, T: Number, P: Roundoff>() {
     for level in available_levels() {
-        let summary = check_dimension::<D, P, _>(|set, fields| {
-            Ok(LaneEngine::<T, D>::new(set, fields, Options { level }))
-        });
+        let summary =
+            check_dimension::<D, P, _>(|set, fields| Ok(LaneEngine::<T, D>::new(set, fields, Options { level })));
         let summary = summary.unwrap();
         let (place, worst) = summary.worst.expect("nothing was compared");
-        println!("{} {} {D}-D: {} numbers; nearest to its bound: {place}: {worst}", T::NAME, level_name(level), summary.compared);
+        println!(
+            "{} {} {D}-D: {} numbers; nearest to its bound: {place}: {worst}",
+            T::NAME,
+            level_name(level),
+            summary.compared
+        );
         assert!(summary.failures.is_empty(), "{} failures:\n{}", summary.failures.len(), summary.failures.join("\n"));
     }
 }

@@ -11,7 +11,12 @@ use etalon_simd::{LaneEngine, Number, Options};
 use fearless_simd::Level;
 
 /// All fields of all particles after some steps, as bits.
-fn bits_after<const D: usize, T: Number>(level: Level, threads: usize, across: usize, steps: usize) -> Vec<(String, Vec<u64>)> {
+fn bits_after<const D: usize, T: Number>(
+    level: Level,
+    threads: usize,
+    across: usize,
+    steps: usize,
+) -> Vec<(String, Vec<u64>)> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| {
         let physics = Sod::standard(D).physics();
@@ -40,7 +45,13 @@ fn same_bits<const D: usize, T: Number>(across: usize) {
             let found = bits_after::<D, T>(level, threads, across, steps);
             for ((name, expected), (_, found)) in expected.iter().zip(&found) {
                 let differing = expected.iter().zip(found).filter(|(a, b)| a != b).count();
-                assert_eq!(differing, 0, "{} {D}-D: {name} differs at {} with {threads} threads", T::NAME, level_name(level));
+                assert_eq!(
+                    differing,
+                    0,
+                    "{} {D}-D: {name} differs at {} with {threads} threads",
+                    T::NAME,
+                    level_name(level)
+                );
             }
         }
     }

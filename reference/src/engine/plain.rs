@@ -211,9 +211,10 @@ impl<T: Scalar, const D: usize> Engine<D> for PlainEngine<T, D> {
     }
 
     fn read(&mut self, component: Component) -> Result<Vec<f64>, EngineError> {
-        let column = self.columns.get(&component).ok_or_else(|| {
-            EngineError(format!("{} is read before anything wrote it", component.name(D)))
-        })?;
+        let column = self
+            .columns
+            .get(&component)
+            .ok_or_else(|| EngineError(format!("{} is read before anything wrote it", component.name(D))))?;
         Ok(column.iter().map(|v| v.to_f64()).collect())
     }
 

@@ -175,10 +175,7 @@ pub fn wendland_c6<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
             u.power(7) * (q * (q * (2.625 * q + 4.75) + 3.5) + 1.0),
             -0.375 * u.power(6) * (q * (35.0 * q + 36.0) + 12.0),
         ),
-        _ => (
-            u.power(8) * (q * (q * (4.0 * q + 6.25) + 4.0) + 1.0),
-            -5.5 * u.power(7) * (q * (4.0 * q + 3.5) + 1.0),
-        ),
+        _ => (u.power(8) * (q * (q * (4.0 * q + 6.25) + 4.0) + 1.0), -5.5 * u.power(7) * (q * (4.0 * q + 3.5) + 1.0)),
     };
     Shape { value: norm * value, slope_over_q: norm * slope }
 }

@@ -7,9 +7,7 @@ use crate::equations::grad_h::{
 };
 use crate::equations::gradients::{gradient, integral_term, inverse_moments, moment_term};
 use crate::equations::hydrodynamics::pressure_coefficient;
-use crate::equations::kernels::{
-    Shape, central_value, inverse_volume, kernel_shape, smoothing_length_derivative,
-};
+use crate::equations::kernels::{Shape, central_value, inverse_volume, kernel_shape, smoothing_length_derivative};
 use crate::fields::*;
 use crate::schemes::GradH;
 use etalon_kernels_gen::{Matrix, Pass, Real, Scalar, Separation, Symmetric, Vector, record};
@@ -173,12 +171,7 @@ impl<const D: usize> Pass<D> for Gradients {
         GradientsOut {
             c: inverse_moments(sums.moments.scale(weight)),
             grad_h,
-            pressure_coefficient: pressure_coefficient(
-                own.pressure,
-                grad_h,
-                own.normalisation,
-                own.standard_density,
-            ),
+            pressure_coefficient: pressure_coefficient(own.pressure, grad_h, own.normalisation, own.standard_density),
         }
     }
 }

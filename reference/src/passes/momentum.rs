@@ -100,11 +100,7 @@ struct Line<R> {
 
 impl Momentum {
     #[inline(always)]
-    fn line<R: Real, const D: usize>(
-        a: &MomentumPair<R, D>,
-        b: &MomentumPair<R, D>,
-        at: &Separation<R, D>,
-    ) -> Line<R> {
+    fn line<R: Real, const D: usize>(a: &MomentumPair<R, D>, b: &MomentumPair<R, D>, at: &Separation<R, D>) -> Line<R> {
         let r = at.r_squared.sqrt();
         let inverse_r = ratio_or_zero(R::one(), r);
         Line { r, inverse_r, omega: approach_velocity(a.velocity - b.velocity, at.x_ab, inverse_r) }

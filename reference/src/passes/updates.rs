@@ -1,8 +1,8 @@
 //! The time integration, particle by particle.
 
 use super::Physics;
-use crate::equations::smoothing_length::{effective_neighbours, next_smoothing_length, settled_smoothing_length};
 use crate::equations::reconstruction::support_volume;
+use crate::equations::smoothing_length::{effective_neighbours, next_smoothing_length, settled_smoothing_length};
 use crate::fields::*;
 use etalon_kernels_gen::{Real, Scalar, Update, Vector, record};
 

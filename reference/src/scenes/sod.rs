@@ -49,7 +49,9 @@ pub struct Sod {
 #[derive(Debug, thiserror::Error)]
 pub enum SodError {
     /// Too few or too many particles.
-    #[error("--n {given}: the {dimension}-D tube needs at least {least} particles for {neighbours} neighbours; give a larger number")]
+    #[error(
+        "--n {given}: the {dimension}-D tube needs at least {least} particles for {neighbours} neighbours; give a larger number"
+    )]
     TooFew {
         /// What was asked for.
         given: usize,
@@ -149,7 +151,9 @@ impl Sod {
             depth[side] = WALL.max(2.0 * reach) * h;
             let places = match self.arrangement {
                 Arrangement::Lattice => tube.places::<D>(side, lattice, depth[side]),
-                Arrangement::Glass => tiles(&tube, side, lattice, depth[side], &glass(lattice.across.max(GLASS_LEAST))?),
+                Arrangement::Glass => {
+                    tiles(&tube, side, lattice, depth[side], &glass(lattice.across.max(GLASS_LEAST))?)
+                }
             };
             particles.extend(places.into_iter().map(|position| {
                 let pressure = self.pressure(side, position[0]);

@@ -54,9 +54,7 @@ pub enum TableError {
         expected: String,
     },
     /// A number is outside its domain.
-    #[error(
-        "{file}, row `{row}`, field `{field}`: {value} is not {domain}; correct it from the paper"
-    )]
+    #[error("{file}, row `{row}`, field `{field}`: {value} is not {domain}; correct it from the paper")]
     Domain {
         /// The file.
         file: String,
@@ -82,9 +80,7 @@ struct Head {
 fn read<T: DeserializeOwned>(file: &str, table: u16, text: &str) -> Result<T, TableError> {
     let shape = |error: ReadError| TableError::Shape {
         file: file.to_owned(),
-        place: error
-            .line
-            .map_or_else(String::new, |line| format!(", line {line}")),
+        place: error.line.map_or_else(String::new, |line| format!(", line {line}")),
         message: error.message,
     };
     let parsed = parse_table(text).map_err(shape)?;
@@ -107,20 +103,10 @@ fn rows_in_order<T: Copy + PartialEq + std::fmt::Debug>(
     expected: &[T],
 ) -> Result<(), TableError> {
     for row in 0..found.len().max(expected.len()) {
-        let name = |names: &[T]| {
-            names
-                .get(row)
-                .map_or_else(|| "nothing".to_owned(), |name| format!("{name:?}"))
-        };
+        let name = |names: &[T]| names.get(row).map_or_else(|| "nothing".to_owned(), |name| format!("{name:?}"));
         if found.get(row) != expected.get(row) {
             let (found, expected) = (name(found), name(expected));
-            return Err(TableError::Row {
-                file: file.to_owned(),
-                row: row + 1,
-                field,
-                found,
-                expected,
-            });
+            return Err(TableError::Row { file: file.to_owned(), row: row + 1, field, found, expected });
         }
     }
     Ok(())
@@ -138,11 +124,5 @@ fn domain<T: std::fmt::Debug>(
     if allowed {
         return Ok(());
     }
-    Err(TableError::Domain {
-        file: file.to_owned(),
-        row: format!("{row:?}"),
-        field,
-        value: value.to_string(),
-        domain,
-    })
+    Err(TableError::Domain { file: file.to_owned(), row: format!("{row:?}"), field, value: value.to_string(), domain })
 }

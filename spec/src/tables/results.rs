@@ -130,10 +130,7 @@ impl Results {
     /// # Errors
     /// [`TableError`] for the first fault found; none occurs in a build whose tests pass.
     pub fn load() -> Result<Self, TableError> {
-        Self::parse(
-            "spec/tables/gs25_table7.toml",
-            include_str!("../../tables/gs25_table7.toml"),
-        )
+        Self::parse("spec/tables/gs25_table7.toml", include_str!("../../tables/gs25_table7.toml"))
     }
 
     /// Reads and checks the text of the table; `file` is its name for messages.
@@ -141,11 +138,7 @@ impl Results {
     /// # Errors
     /// [`TableError`] for the first fault found.
     pub fn parse(file: &str, text: &str) -> Result<Self, TableError> {
-        let File {
-            metric: mut metrics,
-            result: rows,
-            ..
-        } = read(file, 7, text)?;
+        let File { metric: mut metrics, result: rows, .. } = read(file, 7, text)?;
         let keys: Vec<MetricKey> = metrics.iter().map(|metric| metric.key).collect();
         rows_in_order(file, "key", &keys, &MetricKey::ALL)?;
         let schemes: Vec<SchemeName> = rows.iter().map(|row| row.scheme).collect();
@@ -156,14 +149,7 @@ impl Results {
             let power = metric.power_of_ten;
             // Ten to the power 22 is the last one that double precision holds exactly; see `value`.
             let exact = (-22..=0).contains(&power);
-            domain(
-                file,
-                &metric.key,
-                "power_of_ten",
-                power.into(),
-                exact,
-                "between -22 and 0",
-            )?;
+            domain(file, &metric.key, "power_of_ten", power.into(), exact, "between -22 and 0")?;
             let aims = metric.better == Better::CloserTo;
             let target = metric.target.unwrap_or(f64::NAN);
             domain(

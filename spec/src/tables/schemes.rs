@@ -28,15 +28,8 @@ pub enum SchemeName {
 
 impl SchemeName {
     /// Every scheme, in the paper's order.
-    pub const ALL: [Self; 7] = [
-        Self::Av,
-        Self::Avsw,
-        Self::Avslr,
-        Self::Avswslr,
-        Self::Avslrb,
-        Self::Avslrb2,
-        Self::Avslrb2f,
-    ];
+    pub const ALL: [Self; 7] =
+        [Self::Av, Self::Avsw, Self::Avslr, Self::Avswslr, Self::Avslrb, Self::Avslrb2, Self::Avslrb2f];
 
     /// The paper's name, with a plain F for its calligraphic one.
     #[must_use]
@@ -130,10 +123,7 @@ impl Schemes {
     /// # Errors
     /// [`TableError`] for the first fault found; none occurs in a build whose tests pass.
     pub fn load() -> Result<Self, TableError> {
-        Self::parse(
-            "spec/tables/gs25_table1.toml",
-            include_str!("../../tables/gs25_table1.toml"),
-        )
+        Self::parse("spec/tables/gs25_table1.toml", include_str!("../../tables/gs25_table1.toml"))
     }
 
     /// Reads and checks the text of the table; `file` is its name for messages.
@@ -141,37 +131,15 @@ impl Schemes {
     /// # Errors
     /// [`TableError`] for the first fault found.
     pub fn parse(file: &str, text: &str) -> Result<Self, TableError> {
-        let File {
-            scheme: schemes, ..
-        } = read(file, 1, text)?;
+        let File { scheme: schemes, .. } = read(file, 1, text)?;
         let names: Vec<SchemeName> = schemes.iter().map(|scheme| scheme.name).collect();
         rows_in_order(file, "name", &names, &SchemeName::ALL)?;
         for scheme in &schemes {
-            let Scheme {
-                number,
-                name,
-                slope_limited,
-                balsara_power,
-                linear_coefficient,
-            } = *scheme;
+            let Scheme { number, name, slope_limited, balsara_power, linear_coefficient } = *scheme;
             let right = number == name.number();
-            domain(
-                file,
-                &name,
-                "number",
-                number.into(),
-                right,
-                "the scheme's number in the paper",
-            )?;
+            domain(file, &name, "number", number.into(), right, "the scheme's number in the paper")?;
             if let Some(power) = balsara_power {
-                domain(
-                    file,
-                    &name,
-                    "balsara_power",
-                    power.into(),
-                    power >= 1,
-                    "a power of at least 1",
-                )?;
+                domain(file, &name, "balsara_power", power.into(), power >= 1, "a power of at least 1")?;
                 domain(
                     file,
                     &name,
@@ -181,29 +149,14 @@ impl Schemes {
                     "of use without slope_limited = true",
                 )?;
             }
-            let share = |field, value: f64| {
-                domain(
-                    file,
-                    &name,
-                    field,
-                    value,
-                    (0.0..=1.0).contains(&value),
-                    "between 0 and 1",
-                )
-            };
+            let share =
+                |field, value: f64| domain(file, &name, field, value, (0.0..=1.0).contains(&value), "between 0 and 1");
             match linear_coefficient {
                 LinearCoefficient::Constant { value } => share("linear_coefficient.value", value)?,
                 LinearCoefficient::Switch { smallest, largest } => {
                     share("linear_coefficient.largest", largest)?;
                     let ordered = (0.0..=largest).contains(&smallest);
-                    domain(
-                        file,
-                        &name,
-                        "linear_coefficient.smallest",
-                        smallest,
-                        ordered,
-                        "between 0 and the largest",
-                    )?;
+                    domain(file, &name, "linear_coefficient.smallest", smallest, ordered, "between 0 and the largest")?;
                 }
                 LinearCoefficient::BalsaraAboveFloor { largest, floor } => {
                     share("linear_coefficient.largest", largest)?;

@@ -90,10 +90,7 @@ impl Setups {
     /// # Errors
     /// [`TableError`] for the first fault found; none occurs in a build whose tests pass.
     pub fn load() -> Result<Self, TableError> {
-        Self::parse(
-            "spec/tables/gs25_table2.toml",
-            include_str!("../../tables/gs25_table2.toml"),
-        )
+        Self::parse("spec/tables/gs25_table2.toml", include_str!("../../tables/gs25_table2.toml"))
     }
 
     /// Reads and checks the text of the table; `file` is its name for messages.
@@ -104,23 +101,9 @@ impl Setups {
         let File { setup: setups, .. } = read(file, 2, text)?;
         let tests: Vec<Test> = setups.iter().map(|setup| setup.test).collect();
         rows_in_order(file, "test", &tests, &Test::ALL)?;
-        for Setup {
-            test,
-            box_size,
-            particles_in_millions: particles,
-            particles_per_axis: per_axis,
-            ..
-        } in &setups
-        {
+        for Setup { test, box_size, particles_in_millions: particles, particles_per_axis: per_axis, .. } in &setups {
             let positive = |field, value: f64| {
-                domain(
-                    file,
-                    test,
-                    field,
-                    value,
-                    value.is_finite() && value > 0.0,
-                    "a positive number",
-                )
+                domain(file, test, field, value, value.is_finite() && value > 0.0, "a positive number")
             };
             for side in box_size {
                 positive("box", *side)?;

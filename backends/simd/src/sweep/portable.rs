@@ -49,7 +49,8 @@ fn sums<T: Number, P: Pass<D>, const D: usize>(
             column[place].separation(column[neighbour], inputs.unit[axis]).lane()
         }));
         let mut words = inputs.records[neighbour * len + D..].iter();
-        let other = P::Other::<T::Lane>::from_each(|| words.next().map_or_else(T::Lane::zero, |&w| T::from_word(w).lane()));
+        let other =
+            P::Other::<T::Lane>::from_each(|| words.next().map_or_else(T::Lane::zero, |&w| T::from_word(w).lane()));
         let terms = inputs.pass.pair(own, &other, &Separation { x_ab, r_squared: x_ab.norm_squared() });
         let lane = &mut lanes[at % T::LANES];
         *lane = lane.combine(terms);
