@@ -8,6 +8,8 @@
 #![forbid(unsafe_code)]
 
 mod engine;
+// Fully optimised builds do not share generic code between crates, so there it would only be compiled twice.
+#[cfg(debug_assertions)]
 #[doc(hidden)]
 pub mod instances;
 pub mod neighbours;

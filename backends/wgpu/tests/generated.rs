@@ -1,0 +1,120 @@
+//! The generated text of every pass and update: valid without a device, and the same as it was.
+
+use etalon_kernels_gen::emit::Header;
+use etalon_kernels_gen::trace::{Drawing, Single};
+use etalon_kernels_gen::{Pass, Update};
+use etalon_reference::passes::{Correct, KickDrift, Physics};
+use etalon_reference::pipeline::{PassKind, PassVisitor, Pipeline};
+use etalon_reference::scenes::sod::Sod;
+use etalon_reference::schemes::{Dissipation, GradH, Kernel};
+use etalon_wgpu::{Slots, pass_text, update_text, validate, wgsl};
+
+const HEAD: Header<'static> = Header { command: "etalon emit --target wgsl", definition: "reference/src/passes" };
+
+struct Texts {
+    slots: Slots,
+    made: Vec<(&'static str, String)>,
+}
+
+impl<const D: usize> PassVisitor<D> for Texts {
+    type Output = ();
+    fn visit<P: Pass<D>>(&mut self, pass: &P) {
+        let drawing = Drawing::of_pass::<D, P, Single>(pass).unwrap();
+        self.made.push((P::NAME, pass_text(&drawing, &self.slots, &HEAD).unwrap()));
+    }
+}
+
+impl Texts {
+    fn update<const D: usize, U: Update<D>>(&mut self, update: &U) {
+        let drawing = Drawing::of_update::<D, U, Single>(update).unwrap();
+        self.made.push((U::NAME, update_text(&drawing, &self.slots, &HEAD).unwrap()));
+    }
+}
+
+/// The texts of everything that a step runs, by name.
+fn texts<const D: usize>(physics: Physics) -> Vec<(&'static str, String)> {
+    let pipeline = Pipeline::of_scene::<D>(&physics);
+    let mut texts = Texts { slots: Slots::new(&pipeline.fields::<D>(), D), made: Vec::new() };
+    for pass in pipeline.passes() {
+        PassKind::visit::<D, _>(*pass, physics, &mut texts);
+    }
+    texts.update::<D, _>(&KickDrift(physics));
+    texts.update::<D, _>(&Correct);
+    texts.made
+}
+
+fn physics<const D: usize>(dissipation: Dissipation) -> Physics {
+    Sod { dissipation, ..Sod::standard(D) }.physics()
+}
+
+fn all_valid<const D: usize>() {
+    let usual = physics::<D>(Dissipation::AvSlrB2);
+    let schemes = Dissipation::ALL.iter().map(|&dissipation| physics::<D>(dissipation));
+    let kernels = Kernel::ALL.iter().map(|&kernel| Physics { kernel, ..usual });
+    let exact = [Physics { grad_h: GradH::Exact, ..usual }];
+    let mut seen = 0;
+    for physics in schemes.chain(kernels).chain(exact) {
+        for (name, text) in texts::<D>(physics) {
+            validate(name, &text).unwrap_or_else(|error| panic!("{D}-D {physics:?}: {error}\n{text}"));
+            // WebGPU guarantees eight.
+            let bindings = text.matches("var<storage").count();
+            assert!(bindings <= 8, "{name} uses {bindings} storage buffers");
+            seen += 1;
+        }
+    }
+    assert_eq!(seen, 6 * (Dissipation::ALL.len() + Kernel::ALL.len() + 1));
+}
+
+#[test]
+fn every_text_is_valid_in_every_dimension() {
+    all_valid::<1>();
+    all_valid::<2>();
+    all_valid::<3>();
+}
+
+#[test]
+fn the_text_is_the_same_every_time() {
+    let physics = physics::<3>(Dissipation::AvSlrB2F);
+    assert_eq!(texts::<3>(physics), texts::<3>(physics));
+}
+
+/// What follows the part that is written by hand and tested with the other kernels.
+fn generated(dimension: usize, text: &str) -> &str {
+    text.strip_prefix(&wgsl::pass_prelude(dimension)).unwrap().trim_start()
+}
+
+#[test]
+fn three_dimensions_with_reconstruction_read_like_code() {
+    for (name, text) in texts::<3>(physics::<3>(Dissipation::AvSlrB2)) {
+        insta::assert_snapshot!(format!("3d_avslrb2_{name}"), generated(3, &text));
+    }
+}
+
+#[test]
+fn one_dimension_reads_like_code() {
+    for (name, text) in texts::<1>(physics::<1>(Dissipation::Av)) {
+        insta::assert_snapshot!(format!("1d_av_{name}"), generated(1, &text));
+    }
+}
+
+#[test]
+fn a_sum_that_is_always_zero_has_no_accumulator() {
+    // With the exact grad-h form the partition's derivative is not needed.
+    let with = texts::<2>(Physics { grad_h: GradH::Corrected, ..physics::<2>(Dissipation::Av) });
+    let without = texts::<2>(Physics { grad_h: GradH::Exact, ..physics::<2>(Dissipation::Av) });
+    let accumulates = |texts: &[(&str, String)]| {
+        let (_, text) = texts.iter().find(|(name, _)| *name == "gradients").unwrap();
+        text.contains("sums.partition_derivative = sums.partition_derivative + term.partition_derivative;")
+    };
+    assert!(accumulates(&with) && !accumulates(&without));
+}
+
+#[test]
+fn a_missing_field_is_named() {
+    let physics = physics::<1>(Dissipation::Av);
+    let drawing = Drawing::of_update::<1, _, Single>(&KickDrift(physics)).unwrap();
+    let slots = Slots::new(&[etalon_reference::fields::SMOOTHING_LENGTH], 1);
+    let message = update_text(&drawing, &slots, &HEAD).unwrap_err().to_string();
+    assert!(message.contains("`kick_drift` needs the field `"), "{message}");
+    assert!(message.contains("without"), "{message}");
+}

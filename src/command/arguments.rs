@@ -1,0 +1,189 @@
+//! The command line, as typed.
+
+use super::choices::{Backend, Precision, SceneName, Start};
+use clap::{Args, Parser, Subcommand};
+use etalon_reference::schemes::{Dissipation, GradH, Kernel};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  etalon run sod                          3-D, about a minute on 2 cores; report in etalon-out/sod-3d
+  etalon run sod --dim 1 --n 1000         1-D, a second
+  etalon run sod --backend simd --precision f32 --alone --n 1e6
+  etalon explain sod --scheme AV          passes, fields, memory and work of a step
+  etalon bench                            speed of a step on one core
+
+Exit code: 0 if all is well, 1 if a comparison failed its tolerance or a run broke down, 2 for bad input.";
+
+/// A reference standard for the kernels of smoothed-particle hydrodynamics.
+#[derive(Debug, Parser)]
+#[command(name = "etalon", version, about, after_help = EXAMPLES)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Run a scene on every backend, compare them with each other and with the exact solution, and write a report
+    Run(RunArguments),
+    /// List the scenes and the names that options take
+    Scenes {
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Show what a scene computes: passes, fields, memory, operations per pair
+    Explain(ExplainArguments),
+    /// Measure the speed of a complete step
+    Bench(BenchArguments),
+}
+
+/// A scene and its physics.
+#[derive(Clone, Debug, Args)]
+pub struct SceneArguments {
+    /// The scene: sod
+    pub scene: SceneName,
+    /// Dimensions: 1, 2 or 3
+    #[arg(long, value_name = "D", default_value = "3", value_parser = dimension, allow_negative_numbers = true)]
+    pub dim: usize,
+    /// About how many particles, boundary layers not counted [default: as many as take seconds]
+    #[arg(long, value_parser = count, allow_negative_numbers = true)]
+    pub n: Option<usize>,
+    /// Dissipation scheme: AV, AVSLR, AVSLRB, AVSLRB2 or AVSLRB2F
+    #[arg(long, value_name = "NAME", default_value = "AVSLRB2")]
+    pub scheme: Dissipation,
+    /// Kernel: sinc49, M4, M6, C2, C4 or C6
+    #[arg(long, value_name = "NAME", default_value = "sinc49")]
+    pub kernel: Kernel,
+    /// Neighbours within a support, the particle included [default: 100 in 3-D, and the same support in other dimensions]
+    #[arg(long, value_name = "N", value_parser = number, allow_negative_numbers = true)]
+    pub neighbours: Option<f64>,
+    /// The grad-h factor: exact or corrected
+    #[arg(long, value_name = "FORM", default_value = "corrected")]
+    pub grad_h: GradH,
+    /// How particles start: on a lattice, or relaxed to a glass
+    #[arg(long, value_name = "HOW", default_value = "lattice")]
+    pub start: Start,
+    /// Start from a pressure smoothed across the interface (GS25, Eq. 21) instead of a sharp jump
+    #[arg(long)]
+    pub smoothed: bool,
+    /// Adiabatic index [default: 5/3]
+    #[arg(long, value_parser = number, allow_negative_numbers = true)]
+    pub gamma: Option<f64>,
+    /// Simulated time to stop at
+    #[arg(long, value_name = "T", default_value = "0.2", value_parser = number, allow_negative_numbers = true)]
+    pub end_time: f64,
+    /// One backend only, beside the reference: reference, simd or wgpu [default: all]
+    #[arg(long, value_name = "NAME")]
+    pub backend: Option<Backend>,
+    /// One precision only, beside the reference: f32 or f64 [default: all]
+    #[arg(long)]
+    pub precision: Option<Precision>,
+}
+
+/// `etalon run`.
+#[derive(Clone, Debug, Args)]
+pub struct RunArguments {
+    /// What to run.
+    #[command(flatten)]
+    pub scene: SceneArguments,
+    /// Do not run the reference beside what was chosen
+    #[arg(long)]
+    pub alone: bool,
+    /// Threads of the simd backend [default: all]
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
+    pub threads: Option<usize>,
+    /// Instructions of the simd backend: avx512, avx2, neon or portable [default: the best there are]
+    #[arg(long, value_name = "NAME")]
+    pub instructions: Option<String>,
+    /// Graphics adapter, by a part of its name [default: hardware before software]
+    #[arg(long, value_name = "NAME")]
+    pub adapter: Option<String>,
+    /// Folder of the report; one that is there is replaced [default: etalon-out/SCENE-Dd]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print report.json instead of the table
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `etalon explain`.
+#[derive(Clone, Debug, Args)]
+pub struct ExplainArguments {
+    /// What to explain.
+    #[command(flatten)]
+    pub scene: SceneArguments,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `etalon bench`.
+#[derive(Clone, Debug, Args)]
+pub struct BenchArguments {
+    /// About how many particles
+    #[arg(long, default_value = "1000000", value_parser = count, allow_negative_numbers = true)]
+    pub n: usize,
+    /// Threads
+    #[arg(long, value_name = "T", default_value = "1", value_parser = count, allow_negative_numbers = true)]
+    pub threads: usize,
+    /// Steps that are timed
+    #[arg(long, value_name = "K", default_value = "10", value_parser = count, allow_negative_numbers = true)]
+    pub steps: usize,
+    /// Instructions: avx512, avx2, neon or portable [default: the best there are]
+    #[arg(long, value_name = "NAME")]
+    pub instructions: Option<String>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// A whole number from 1 on; `1e6` and `1_000_000` are one too.
+fn count(text: &str) -> Result<usize, String> {
+    let digits = text.replace('_', "");
+    let value = digits.parse::<f64>().map_err(|_| "it must be a whole number, such as 20000 or 1e6".to_string())?;
+    match value {
+        v if v.is_nan() || v < 1.0 => Err("it must be at least 1".into()),
+        v if v.fract() != 0.0 => Err("it must be a whole number, such as 20000 or 1e6".into()),
+        // Above this not every whole number is an f64, and no machine holds so many.
+        v if v > 9e15 => Err("that is more than any machine holds; give a smaller number".into()),
+        v => Ok(v as usize),
+    }
+}
+
+/// A finite number.
+fn number(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        _ => Err("it must be a finite number, such as 0.2".into()),
+    }
+}
+
+fn dimension(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(dimension @ 1..=3) => Ok(dimension),
+        _ => Err("there are 1, 2 or 3 dimensions; choose one of them".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn counts_are_read_as_people_write_them() {
+        assert_eq!([count("20000"), count("1e6"), count("1_000")], [Ok(20_000), Ok(1_000_000), Ok(1000)]);
+        for bad in ["0", "-3", "1.5", "NaN", "inf", "many", ""] {
+            assert!(count(bad).is_err(), "{bad} was taken as {:?}", count(bad));
+        }
+    }
+}

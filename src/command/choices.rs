@@ -1,0 +1,104 @@
+//! The names users choose from that are not physics: scene, start, backend, precision.
+
+use etalon_reference::scenes::Arrangement;
+use etalon_reference::schemes::UnknownName;
+use std::fmt;
+use std::str::FromStr;
+
+macro_rules! choice {
+    ($(#[$meta:meta])* $type:ident, $what:literal { $($(#[$variant_meta:meta])* $variant:ident = $name:literal,)* }) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $type { $($(#[$variant_meta])* $variant,)* }
+        impl $type {
+            /// Every choice there is.
+            pub const ALL: &'static [$type] = &[$($type::$variant),*];
+            /// The name users write.
+            pub fn name(self) -> &'static str {
+                match self { $($type::$variant => $name),* }
+            }
+        }
+        impl fmt::Display for $type {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.pad(self.name())
+            }
+        }
+        impl FromStr for $type {
+            type Err = UnknownName;
+            fn from_str(given: &str) -> Result<Self, UnknownName> {
+                Self::ALL.iter().copied().find(|c| c.name().eq_ignore_ascii_case(given)).ok_or_else(|| UnknownName {
+                    what: $what,
+                    given: given.to_string(),
+                    allowed: Self::ALL.iter().map(|c| c.name()).collect(),
+                })
+            }
+        }
+    };
+}
+
+choice! {
+    /// A problem that can be run.
+    SceneName, "scene" {
+        /// Sod's shock tube.
+        Sod = "sod",
+    }
+}
+
+choice! {
+    /// What runs a scene.
+    Backend, "backend" {
+        /// Direct loops on one thread.
+        Reference = "reference",
+        /// The processor's vector lanes, on all threads.
+        Simd = "simd",
+        /// Generated WGSL on a graphics adapter.
+        Wgpu = "wgpu",
+    }
+}
+
+choice! {
+    /// How many digits it computes with.
+    Precision, "precision" {
+        /// 32-bit floats.
+        Single = "f32",
+        /// 64-bit floats.
+        Double = "f64",
+    }
+}
+
+choice! {
+    /// How particles are laid out at the start.
+    Start, "start" {
+        /// On a lattice.
+        Lattice = "lattice",
+        /// As a relaxed glass.
+        Glass = "glass",
+    }
+}
+
+impl Start {
+    /// As scenes know it.
+    pub fn arrangement(self) -> Arrangement {
+        match self {
+            Start::Lattice => Arrangement::Lattice,
+            Start::Glass => Arrangement::Glass,
+        }
+    }
+}
+
+impl Precision {
+    /// The largest relative error of one rounding: 2^-24 or 2^-53.
+    pub fn unit_roundoff(self) -> f64 {
+        match self {
+            Precision::Single => f64::from(f32::EPSILON) / 2.0,
+            Precision::Double => f64::EPSILON / 2.0,
+        }
+    }
+    /// Bytes of a number.
+    pub fn bytes(self) -> usize {
+        match self {
+            Precision::Single => 4,
+            Precision::Double => 8,
+        }
+    }
+}

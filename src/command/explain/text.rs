@@ -1,0 +1,169 @@
+//! An explanation for people.
+
+use super::{Explanation, Stage};
+use crate::report::plain;
+use etalon_kernels_gen::trace::Count;
+use etalon_kernels_gen::{Field, Rank};
+use std::fmt::Write;
+
+/// Columns of a terminal that lists of fields keep to.
+const WIDTH: usize = 110;
+/// Where text begins after the name of what it is.
+const INDENT: usize = 12;
+
+/// The whole of it.
+pub fn text(explanation: &Explanation) -> String {
+    let mut out = String::new();
+    header(&mut out, explanation);
+    for (number, stage) in explanation.stages.iter().enumerate() {
+        describe(&mut out, number + 1, stage);
+    }
+    fields(&mut out, explanation);
+    work(&mut out, explanation);
+    memory(&mut out, explanation);
+    out
+}
+
+fn line(out: &mut String, text: &str) {
+    out.push_str(text.trim_end());
+    out.push('\n');
+}
+
+fn header(out: &mut String, explanation: &Explanation) {
+    let setup = &explanation.setup;
+    let sod = &setup.sod;
+    line(
+        out,
+        &format!(
+            "Sod shock tube, {}-D: scheme {} ({}), kernel {}, {} neighbours, grad-h {}",
+            setup.dimension,
+            sod.dissipation,
+            setup.coefficients(),
+            sod.kernel,
+            sod.neighbours,
+            sod.grad_h
+        ),
+    );
+    line(out, &format!("Units are those of mass M, length L and time T; nu = {}.", setup.dimension));
+    line(out, "\nA step, in order. Neighbours are found after kick_drift.");
+}
+
+fn describe(out: &mut String, number: usize, stage: &Stage) {
+    let kind = if stage.pair.is_some() { "pass over neighbours" } else { "each particle by itself" };
+    line(out, &format!("\n{number}. {} ({kind})", stage.footprint.name));
+    list(out, "reads", &stage.footprint.own);
+    list(out, "of others", &stage.footprint.other);
+    list(out, "sums", &stage.footprint.sums);
+    list(out, "writes", &stage.footprint.out);
+    let counts = |what: &str, [single, double]: &[Count; 2]| match single == double {
+        true => format!("{single} {what}"),
+        false => format!("{single} {what} in f32\n{:INDENT$}{double} {what} in f64", ""),
+    };
+    let mut parts = Vec::new();
+    parts.extend(stage.pair.as_ref().map(|pair| counts("per pair", pair)));
+    parts.push(counts("per particle", &stage.particle));
+    labelled(out, "operations", &parts.join(&format!("\n{:INDENT$}", "")));
+}
+
+fn labelled(out: &mut String, label: &str, text: &str) {
+    line(out, &format!("{label:<INDENT$}{text}"));
+}
+
+/// Fields with symbols, wrapped.
+fn list(out: &mut String, label: &str, fields: &[Field]) {
+    let mut rows = vec![String::new()];
+    for (index, field) in fields.iter().enumerate() {
+        let comma = if index + 1 < fields.len() { ", " } else { "" };
+        let item = format!("{} {}{comma}", field.name, symbol(field.symbol));
+        match rows.last_mut() {
+            Some(row) if row.chars().count() + item.chars().count() + INDENT <= WIDTH => row.push_str(&item),
+            _ => rows.push(item),
+        }
+    }
+    for (index, row) in rows.iter().filter(|row| !row.is_empty()).enumerate() {
+        labelled(out, if index == 0 { label } else { "" }, row);
+    }
+}
+
+fn fields(out: &mut String, explanation: &Explanation) {
+    let numbers = explanation.numbers();
+    line(out, &format!("\nFields of a particle: {}, {numbers} numbers in all", explanation.fields.len()));
+    for field in &explanation.fields {
+        let rank = match field.rank {
+            Rank::Scalar => "scalar",
+            Rank::Vector => "vector",
+            Rank::Symmetric => "symmetric matrix",
+            Rank::Matrix => "matrix",
+        };
+        line(out, &format!("  {:<29}{:<18}{:<18}{}", field.name, symbol(field.symbol), field.unit, rank));
+    }
+}
+
+fn work(out: &mut String, explanation: &Explanation) {
+    let [single, double] = explanation.work_per_pair();
+    let neighbours = explanation.setup.sod.neighbours;
+    let thousands = |flops: u32| plain(f64::from(flops) * neighbours / 1000.0);
+    line(
+        out,
+        &format!(
+            "\nWork of a step: {single} operations per pair in f32, {double} in f64; with {neighbours} neighbours about {} and {} \
+             thousand per particle.\na * b + c counts two, every other operation one, signs none. A pair is counted from both ends.",
+            thousands(single),
+            thousands(double)
+        ),
+    );
+}
+
+fn memory(out: &mut String, explanation: &Explanation) {
+    line(out, "\nMemory, bytes a particle");
+    let mut row = |name: &str, cells: [String; 6]| {
+        let mut text = format!("  {name:<15}");
+        for cell in cells {
+            // Writing to a string cannot fail.
+            let _ = write!(text, "{cell:>12}");
+        }
+        line(out, &text);
+    };
+    row("", ["fields", "copy", "places", "packed", "neighbours", "total"].map(String::from));
+    for (backend, precision, memory) in &explanation.memory {
+        let parts = [memory.fields, memory.copy, memory.places, memory.records, memory.neighbours, memory.total()];
+        row(&format!("{backend} {precision}"), parts.map(|bytes| format!("{bytes:.0}")));
+    }
+}
+
+/// LaTeX as a terminal can show it.
+fn symbol(latex: &str) -> String {
+    const SIGNS: &[(&str, &str)] = &[
+        ("\\frac12", "½"),
+        ("\\mathcal{B}", "B"),
+        ("\\dot v", "v̇"),
+        ("\\dot u", "u̇"),
+        ("\\Delta ", "Δ"),
+        ("\\Delta", "Δ"),
+        ("\\Omega ", "Ω "),
+        ("\\Omega", "Ω"),
+        ("\\rho", "ρ"),
+        ("\\tau", "τ"),
+        ("\\mu", "μ"),
+        ("\\sum", "Σ"),
+        ("^T", "ᵀ"),
+        ("^0", "⁰"),
+        ("^2", "²"),
+        ("{", ""),
+        ("}", ""),
+    ];
+    SIGNS.iter().fold(latex.to_string(), |text, (from, to)| text.replace(from, to))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_field_shows_a_backslash() {
+        for field in etalon_reference::fields::ALL {
+            let shown = symbol(field.symbol);
+            assert!(!shown.contains(['\\', '{', '}']), "{}: {shown}", field.name);
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! The program `etalon`: `run`, `scenes`, `explain`, `bench`.
+//!
+//! Results go to stdout, progress and errors to stderr. Nothing is written to disk before it is complete.
+
+mod arguments;
+mod bench;
+mod choices;
+mod explain;
+mod failure;
+mod machine;
+mod memory;
+mod run;
+mod scenes;
+mod setup;
+
+use arguments::{Arguments, Command};
+use clap::Parser;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use failure::Failure;
+use std::error::Error;
+use std::ffi::OsString;
+use std::io::{ErrorKind as IoErrorKind, Write};
+use std::process::ExitCode;
+
+/// Runs the program with these arguments, the program's name first; returns its exit code.
+///
+/// 0: done, and every comparison lies within its tolerance; 1: one does not, or a run broke down; 2: bad input.
+pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(error) => return refused(&error),
+    };
+    let done = match arguments.command {
+        Command::Run(arguments) => run::run(&arguments),
+        Command::Scenes { json } => scenes::scenes(json).map(Done::passed),
+        Command::Explain(arguments) => explain::explain(&arguments).map(Done::passed),
+        Command::Bench(arguments) => bench::bench(&arguments).map(Done::passed),
+    };
+    match done {
+        Ok(done) => match print(&done.text) {
+            Ok(()) if done.passed => ExitCode::SUCCESS,
+            Ok(()) => ExitCode::from(1),
+            Err(failure) => say(&failure),
+        },
+        Err(failure) => say(&failure),
+    }
+}
+
+/// What a command came to.
+struct Done {
+    /// For stdout.
+    text: String,
+    /// Whether every comparison lies within its tolerance.
+    passed: bool,
+}
+
+impl Done {
+    fn passed(text: String) -> Self {
+        Done { text, passed: true }
+    }
+}
+
+/// To stdout; a reader who has seen enough (`| head`) is no error.
+fn print(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != IoErrorKind::BrokenPipe => {
+            Err(Failure::Broken(format!("cannot write to standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn say(failure: &Failure) -> ExitCode {
+    eprintln!("etalon: {failure}");
+    failure.exit_code()
+}
+
+/// What the command line's reader refused: a bad value in one sentence, everything else in clap's words.
+fn refused(error: &clap::Error) -> ExitCode {
+    let context = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.as_str()),
+        _ => None,
+    };
+    let (argument, value) = (context(ContextKind::InvalidArg), context(ContextKind::InvalidValue));
+    if let (ErrorKind::ValueValidation, Some(argument), Some(value), Some(reason)) =
+        (error.kind(), argument, value, error.source())
+    {
+        // `--n <N>` and `<SCENE>`, as users write them.
+        let option = argument.split(' ').next().filter(|option| option.starts_with('-'));
+        let given = option.map_or_else(|| format!("`{value}`"), |option| format!("{option} {value}"));
+        return say(&Failure::BadInput(format!("{given}: {reason}")));
+    }
+    // Help and version are no errors; clap knows where they go.
+    if error.print().is_err() {
+        return ExitCode::from(2);
+    }
+    ExitCode::from(if error.use_stderr() { 2 } else { 0 })
+}
+
+/// Pretty JSON with a line break at its end.
+fn to_text(value: &serde_json::Value) -> Result<String, Failure> {
+    let text = serde_json::to_string_pretty(value);
+    text.map(|text| text + "\n").map_err(|error| Failure::Broken(format!("the result has no JSON form: {error}")))
+}

@@ -1,0 +1,198 @@
+//! The report, from what was asked and what came out.
+
+use super::approximation::approximations;
+use super::exact::Exact;
+use super::graphics::Graphics;
+use super::plan::Plan;
+use super::state::State;
+use crate::command::arguments::RunArguments;
+use crate::command::choices::{Backend, Precision, Start};
+use crate::command::failure::Failure;
+use crate::command::machine;
+use crate::command::setup::Setup;
+use crate::fma_peak::FmaPeak;
+use crate::report::model::{self, Field, Machine, NormRange, Run, Scene, Setting};
+use crate::report::{Column, Particles, Report, utc_now};
+use etalon_kernels_gen::lanes::level_name;
+use etalon_reference::scenes::sod;
+use etalon_reference::schemes::Kernel;
+use fearless_simd::Level;
+use std::path::Path;
+
+/// What a report is made of.
+pub struct Circumstances<'a> {
+    pub setup: &'a Setup,
+    pub plan: &'a Plan,
+    pub arguments: &'a RunArguments,
+    pub folder: &'a Path,
+    pub graphics: &'a Graphics,
+    pub level: Level,
+    pub peak: FmaPeak,
+    pub particles: usize,
+    pub exact: &'a Exact,
+    pub runs: Vec<Run>,
+}
+
+/// The report.
+pub fn report(of: &Circumstances) -> Report {
+    let mut precisions: Vec<Precision> = Vec::new();
+    for (_, precision) in &of.plan.combinations {
+        if !precisions.contains(precision) {
+            precisions.push(*precision);
+        }
+    }
+    Report {
+        program_version: env!("CARGO_PKG_VERSION").into(),
+        created: utc_now(),
+        command: command(of),
+        scene: scene(of),
+        machine: machine(of),
+        fields: fields(),
+        exact: of.exact.curve(),
+        kernel_approximation: approximations(of.setup, &precisions),
+        runs: of.runs.clone(),
+    }
+}
+
+/// The command line that gives this report again.
+fn command(of: &Circumstances) -> String {
+    let mut text = format!("etalon run {}", of.setup.options());
+    let given = of.arguments;
+    let mut option = |name: &str, value: String| text += &format!(" --{name} {value}");
+    if let Some(backend) = given.scene.backend {
+        option("backend", backend.to_string());
+    }
+    if let Some(precision) = given.scene.precision {
+        option("precision", precision.to_string());
+    }
+    if of.plan.combinations.iter().any(|(backend, _)| *backend == Backend::Simd) {
+        option("threads", rayon::current_num_threads().to_string());
+        option("instructions", level_name(of.level).into());
+    }
+    if let Some(adapter) = &given.adapter {
+        option("adapter", quoted(adapter));
+    }
+    if given.out.is_some() {
+        option("out", quoted(&of.folder.display().to_string()));
+    }
+    if given.alone {
+        text += " --alone";
+    }
+    text
+}
+
+/// As a shell takes it for one word.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
+    if !word.is_empty() && word.chars().all(plain) { word.into() } else { format!("'{}'", word.replace('\'', "'\\''")) }
+}
+
+fn scene(of: &Circumstances) -> Scene {
+    let sod = &of.setup.sod;
+    let setting = |name: &str, value: String| Setting { name: name.into(), value };
+    let start = Start::ALL.iter().find(|start| start.arrangement() == sod.arrangement);
+    let mut settings = vec![
+        setting("Density, left and right", format!("{}, {}", sod::DENSITY[0], sod::DENSITY[1])),
+        setting("Pressure, left and right", format!("{}, {}", sod::PRESSURE[0], sod::PRESSURE[1])),
+        setting("Dissipation", of.setup.coefficients()),
+        setting("Grad-h factor", sod.grad_h.to_string()),
+        setting("Time integration", "kick, drift, kick; Courant number 0.2 on h/c".into()),
+    ];
+    if let Some(bytes) = machine::peak_memory() {
+        let each = bytes as f64 / of.particles as f64;
+        let text = format!("{:.0} MiB, {each:.0} bytes a particle", bytes as f64 / f64::from(1 << 20));
+        settings.push(setting("Peak memory of the program", text));
+    }
+    Scene {
+        name: "sod".into(),
+        title: "Sod shock tube".into(),
+        dimension: of.setup.dimension as u8,
+        particles: of.particles as u64,
+        neighbours: sod.neighbours,
+        kernel: kernel(sod.kernel).into(),
+        scheme: sod.dissipation.name().into(),
+        gamma: sod.gamma,
+        end_time: of.setup.end_time,
+        arrangement: start.map_or("lattice", |start| start.name()).into(),
+        discontinuity: match sod.smoothed {
+            true => {
+                "pressure smoothed over 0.01 (GS25, Eq. 21), while the exact solution is that of the sharp start".into()
+            }
+            false => "sharp".into(),
+        },
+        boundaries: match of.setup.dimension {
+            1 => "fixed layers at both ends".into(),
+            _ => "fixed layers at both ends of the tube, periodic across it".into(),
+        },
+        norm: NormRange {
+            coordinate: "x".into(),
+            unit: "L".into(),
+            from: sod::MEASURED.0,
+            to: sod::MEASURED.1,
+            source: "GS25, section 3.1 and Eq. 20".into(),
+        },
+        settings,
+    }
+}
+
+/// The kernel for people.
+fn kernel(kernel: Kernel) -> &'static str {
+    match kernel {
+        Kernel::MixedSinc => "mixed sinc, 0.9 S₄ + 0.1 S₉",
+        Kernel::CubicSpline => "cubic spline M₄",
+        Kernel::QuinticSpline => "quintic spline M₆",
+        Kernel::WendlandC2 => "Wendland C2",
+        Kernel::WendlandC4 => "Wendland C4",
+        Kernel::WendlandC6 => "Wendland C6",
+    }
+}
+
+fn machine(of: &Circumstances) -> Machine {
+    Machine {
+        cpu: machine::processor(),
+        threads: machine::hardware_threads() as u32,
+        instruction_set: match level_name(of.level) {
+            "avx512" => "AVX-512".into(),
+            "avx2" => "AVX2".into(),
+            "neon" => "NEON".into(),
+            other => other.into(),
+        },
+        system: machine::system(),
+        adapter: of.graphics.adapter(),
+        fma_peak_gflops_per_core: model::FmaPeak { f32: of.peak.single, f64: of.peak.double },
+    }
+}
+
+fn fields() -> Vec<Field> {
+    let field = |name: &str, label: &str, symbol: &str, unit: &str| Field {
+        name: name.into(),
+        label: label.into(),
+        symbol: symbol.into(),
+        unit: unit.into(),
+    };
+    vec![
+        field("density", "density", "ρ", "ρ₀"),
+        field("velocity_x", "velocity", "vₓ", "√(P₀/ρ₀)"),
+        field("pressure", "pressure", "P", "P₀"),
+        field("internal_energy", "internal energy", "u", "P₀/ρ₀"),
+    ]
+}
+
+/// The final particles as a table.
+pub fn particle_columns(state: &State) -> Result<Particles<'_>, Failure> {
+    const POSITION: [&str; 3] = ["x", "y", "z"];
+    const VELOCITY: [&str; 3] = ["velocity_x", "velocity_y", "velocity_z"];
+    let column = |name, unit, values| Column { name, unit, values };
+    let mut columns = Vec::new();
+    for (axis, values) in state.position.iter().enumerate() {
+        columns.push(column(POSITION[axis], "L", values.as_slice()));
+    }
+    for (axis, values) in state.velocity.iter().enumerate() {
+        columns.push(column(VELOCITY[axis], "sqrt(P0/rho0)", values.as_slice()));
+    }
+    columns.push(column("density", "rho0", &state.density));
+    columns.push(column("pressure", "P0", &state.pressure));
+    columns.push(column("internal_energy", "P0/rho0", &state.internal_energy));
+    columns.push(column("smoothing_length", "L", &state.smoothing_length));
+    Ok(Particles::new(columns)?)
+}

@@ -1,0 +1,264 @@
+//! `etalon run`: a scene on every backend, compared, with its report.
+//!
+//! | file | what lives there |
+//! |---|---|
+//! | `plan.rs`, `graphics.rs` | what is to run; the graphics adapter, or why there is none |
+//! | `simulate.rs`, `timed.rs`, `progress.rs` | one simulation, its clocks, its progress |
+//! | `state.rs`, `exact.rs` | the particles at one moment; the exact solution |
+//! | `compare.rs`, `approximation.rs` | the three sources of error |
+//! | `sensitivity.rs`, `noisy.rs` | where tolerances come from |
+//! | `assemble.rs` | the report |
+
+mod approximation;
+mod assemble;
+mod compare;
+mod exact;
+mod graphics;
+mod noisy;
+pub mod plan;
+mod progress;
+mod sensitivity;
+mod simulate;
+mod state;
+mod timed;
+
+use super::arguments::RunArguments;
+use super::choices::{Backend, Precision};
+use super::failure::Failure;
+use super::memory::{self, Memory};
+use super::setup::{self, Setup};
+use super::{Done, machine};
+use crate::fma_peak::{self, FmaPeak};
+use crate::report::model::{Measurements, Run, Speed};
+use crate::report::{self, Report};
+use assemble::{Circumstances, particle_columns};
+use etalon_reference::engine::EngineError;
+use etalon_reference::particles::ParticleSet;
+use etalon_reference::pipeline::Pipeline;
+use etalon_reference::scenes::relax;
+use etalon_simd::{LaneEngine, Options};
+use exact::Exact;
+use fearless_simd::Level;
+use graphics::Graphics;
+use plan::{Combination, Plan, REFERENCE};
+use progress::{Progress, note};
+use sensitivity::Sensitivity;
+use simulate::{Finished, Task};
+use state::State;
+use std::path::{Path, PathBuf};
+
+pub use timed::{Clocked, Timed};
+
+/// Rounds of relaxation that make a glass.
+const GLASS_ROUNDS: usize = 200;
+
+/// Particles of a glass in 1-D.
+const GLASS_LENGTH: usize = 64;
+
+/// Runs, compares, writes the report; the text for stdout.
+pub fn run(arguments: &RunArguments) -> Result<Done, Failure> {
+    let setup = Setup::new(&arguments.scene)?;
+    let plan = Plan::new(arguments)?;
+    let level = setup::instructions(arguments.instructions.as_deref())?;
+    let folder = arguments.out.clone().unwrap_or_else(|| {
+        PathBuf::from("etalon-out").join(format!("{}-{}d", arguments.scene.scene, arguments.scene.dim))
+    });
+    report::check_destination(&folder)?;
+    let pool = setup::threads(arguments.threads)?;
+    let graphics = Graphics::find(arguments.adapter.as_deref());
+    if let Some(reason) = graphics.absent().filter(|_| plan.wgpu_required) {
+        return Err(Failure::BadInput(reason.to_string()));
+    }
+    let session = Session { setup, plan, level, graphics, arguments, folder: &folder };
+    pool.install(|| match setup.dimension {
+        1 => session.run::<1>(),
+        2 => session.run::<2>(),
+        _ => session.run::<3>(),
+    })
+}
+
+/// All that is settled before the particles exist.
+struct Session<'a> {
+    setup: Setup,
+    plan: Plan,
+    level: Level,
+    graphics: Graphics,
+    arguments: &'a RunArguments,
+    folder: &'a Path,
+}
+
+/// The reference's result with what follows from it.
+struct Baseline {
+    finished: Finished,
+    sensitivities: Vec<Sensitivity>,
+    nanoseconds_per_update: f64,
+}
+
+impl Session<'_> {
+    fn run<const D: usize>(&self) -> Result<Done, Failure> {
+        let pipeline = Pipeline::of_scene::<D>(&self.setup.sod.physics());
+        let memory = |(backend, precision): Combination| {
+            Memory::of::<D>(backend, precision, &pipeline, self.setup.sod.neighbours).total()
+        };
+        let largest = self.plan.combinations.iter().map(|c| memory(*c)).fold(0.0, f64::max);
+        memory::check(self.setup.sod.particles, largest + memory::beside::<D>())?;
+
+        let set = self.particles::<D>()?;
+        let task = Task {
+            physics: self.setup.sod.physics(),
+            end_time: self.setup.end_time,
+            mobile: set.particles().iter().map(|p| p.mobile).collect(),
+            level: self.level,
+        };
+        let exact = Exact::new(&self.setup)?;
+        let peak = fma_peak::measure(self.level);
+
+        let mut baseline: Option<Baseline> = None;
+        let mut kept: Option<State> = None;
+        let mut runs = Vec::new();
+        for &combination in &self.plan.combinations {
+            let (backend, precision) = combination;
+            if let (Backend::Wgpu, Some(reason)) = (backend, self.graphics.absent()) {
+                note(&format!("{} skipped: {reason}", label(combination)));
+                runs.push(Run::skipped(backend.name(), precision.name(), reason));
+                continue;
+            }
+            let progress = Progress::new(&label(combination), self.setup.end_time, true);
+            let finished = task.run(combination, &set, &self.graphics, progress)?;
+            let reference = baseline.as_ref().filter(|_| combination != REFERENCE);
+            let mut measured = self.measure(combination, &finished, reference, set.len(), peak)?;
+            measured.bytes_per_particle = memory(combination);
+            measured.discretisation_error = compare::discretisation(&finished.state, &exact)?;
+            measured.conservation = compare::conservation(&finished, D);
+            let judge =
+                |reference: &'_ Baseline| reference.sensitivities.iter().find(|s| s.precision() == precision).copied();
+            if let Some((reference, sensitivity)) = reference.and_then(|r| Some((r, judge(r)?))) {
+                measured.arithmetic_difference = compare::arithmetic(&finished, &reference.finished, &sensitivity)?;
+            }
+            let beside = reference.map(|reference| &reference.finished.state);
+            measured.profile = compare::profile(&finished.state, &task.mobile, &exact, beside);
+            runs.push(Run::ran(backend.name(), precision.name(), measured));
+            if kept.is_none() || combination == (Backend::Simd, Precision::Double) {
+                kept = Some(finished.state.clone());
+            }
+            if combination == REFERENCE {
+                baseline = Some(self.baseline(&task, &set, finished)?);
+            }
+        }
+        let report = assemble::report(&Circumstances {
+            setup: &self.setup,
+            plan: &self.plan,
+            arguments: self.arguments,
+            folder: self.folder,
+            graphics: &self.graphics,
+            level: self.level,
+            peak,
+            particles: set.len(),
+            exact: &exact,
+            runs,
+        });
+        self.finish(&report, kept.as_ref())
+    }
+
+    /// The initial particles; a glass is relaxed on the vector engine.
+    fn particles<const D: usize>(&self) -> Result<ParticleSet<D>, Failure> {
+        let options = Options { level: self.level };
+        let physics = self.setup.sod.physics();
+        Ok(self.setup.sod.particles::<D>(|across| {
+            // In 1-D a glass may be of any length; a short one would meet itself around its box.
+            let across = if D == 1 { across.max(GLASS_LENGTH) } else { across };
+            note(&format!("relaxing a glass of {} particles", across.pow(D as u32)));
+            relax::<D, LaneEngine<f64, D>>(across, physics, GLASS_ROUNDS, 1, |set, pipeline| {
+                Ok::<_, EngineError>(LaneEngine::new(set, &pipeline.fields::<D>(), options))
+            })
+        })?)
+    }
+
+    /// Keeps the reference, and runs it once more for each precision that will be compared, to learn what rounding does.
+    fn baseline<const D: usize>(
+        &self,
+        task: &Task,
+        set: &ParticleSet<D>,
+        finished: Finished,
+    ) -> Result<Baseline, Failure> {
+        let mut sensitivities = Vec::new();
+        let measure = |precision: Precision, shown: bool| Sensitivity::measure(precision, task, set, &finished, shown);
+        match self.plan.compared_precisions()[..] {
+            [] => {}
+            [precision] => sensitivities.push(measure(precision, true)?),
+            // Side by side: they are not timed.
+            _ => {
+                let (single, double) =
+                    rayon::join(|| measure(Precision::Single, true), || measure(Precision::Double, false));
+                sensitivities.extend([single?, double?]);
+            }
+        }
+        let nanoseconds_per_update = finished.wall_seconds * 1e9 / (set.len() as f64 * finished.steps as f64);
+        Ok(Baseline { finished, sensitivities, nanoseconds_per_update })
+    }
+
+    /// What can be said of a run by itself.
+    fn measure(
+        &self,
+        (backend, precision): Combination,
+        finished: &Finished,
+        reference: Option<&Baseline>,
+        particles: usize,
+        peak: FmaPeak,
+    ) -> Result<Measurements, Failure> {
+        let threads = match backend {
+            Backend::Simd => rayon::current_num_threads(),
+            Backend::Reference | Backend::Wgpu => 1,
+        } as u32;
+        let peak = match precision {
+            Precision::Single => peak.single,
+            Precision::Double => peak.double,
+        };
+        // Threads beyond the hardware's are no cores.
+        let cores = match backend {
+            Backend::Wgpu => None,
+            _ => Some((threads.min(machine::hardware_threads() as u32), peak)),
+        };
+        let reference = reference.map(|reference| reference.nanoseconds_per_update);
+        let mut speed = Speed::new(particles as u64, finished.steps, finished.wall_seconds, cores, reference);
+        if (backend, precision) == REFERENCE {
+            speed.speed_up = Some(1.0);
+        }
+        Ok(Measurements {
+            steps: finished.steps,
+            time: finished.time,
+            threads,
+            wall_seconds: finished.wall_seconds,
+            bytes_per_particle: 0.0,
+            speed,
+            stages: finished.stages.clone(),
+            conservation: Vec::new(),
+            discretisation_error: Vec::new(),
+            arithmetic_difference: Vec::new(),
+            profile: crate::report::model::Profile { selection: String::new(), x: Vec::new(), fields: Vec::new() },
+        })
+    }
+
+    /// Writes the folder; the table, or the JSON, for stdout.
+    fn finish(&self, report: &Report, particles: Option<&State>) -> Result<Done, Failure> {
+        let columns = particles.map(particle_columns).transpose()?;
+        report::write(report, columns.as_ref(), self.folder)?;
+        let passed = report::passes(report);
+        if self.arguments.json {
+            let path = self.folder.join("report.json");
+            let text = std::fs::read_to_string(&path)
+                .map_err(|error| Failure::Broken(format!("cannot read {} again: {error}", path.display())))?;
+            return Ok(Done { text, passed });
+        }
+        let verdict =
+            if passed { String::new() } else { format!("\nOutside tolerance: {}\n", report::headline(report)) };
+        let page = self.folder.join("report.html");
+        let text = format!("{}{verdict}\nReport: {}\n", report::summary_table(report), page.display());
+        Ok(Done { text, passed })
+    }
+}
+
+/// A run as progress and errors name it.
+fn label((backend, precision): Combination) -> String {
+    format!("{backend} {precision}")
+}

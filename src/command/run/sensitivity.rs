@@ -1,0 +1,106 @@
+//! What rounding does to this flow: the ground on which tolerances stand.
+//!
+//! Two correct computations round differently, and the flow carries every rounding on; how far depends on the flow. So it is measured,
+//! with the reference alone: it runs once more for each precision that is to be judged, and in every step each particle that moves is
+//! changed at random, as that precision's roundings would change it. What comes out differs from the reference by what rounding may do.
+
+use super::noisy::{Noise, Noisy};
+use super::progress::Progress;
+use super::simulate::{Finished, Task};
+use super::state::COMPARED;
+use super::timed::Timed;
+use crate::command::choices::Precision;
+use crate::command::failure::Failure;
+use crate::report::model::Tolerance;
+use crate::report::plain;
+use etalon_reference::engine::PlainEngine;
+use etalon_reference::norms::l2_error;
+use etalon_reference::particles::ParticleSet;
+
+/// Roundings of about a particle's own numbers in a step: velocity and energy are written twice, the smoothing length once; density,
+/// pressure, its coefficient, the sums of the last sweep, and the kernels' arguments and values make up the rest. Terms of sums round
+/// too, but average out over the neighbours.
+const ROUNDINGS_PER_STEP: f64 = 16.0;
+
+/// The noise is one sample of what may happen, and a few growing modes can dominate it: another sample may be some times as large.
+const SPREAD: f64 = 4.0;
+
+/// How far random roundings of one precision carry each field from the reference.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sensitivity {
+    precision: Precision,
+    /// Root of the mean square difference in units of the field's scale.
+    response: [f64; 4],
+    steps: u64,
+}
+
+/// What differences of each field are measured in: the largest magnitude that the reference has.
+pub fn scales(reference: &Finished) -> [f64; 4] {
+    reference.state.compared().map(|column| column.iter().fold(0.0, |largest: f64, v| largest.max(v.abs())))
+}
+
+/// The spacing of positions in sides of the box: 32 bits beside `f32`, 53 beside `f64`.
+fn grid(precision: Precision) -> f64 {
+    match precision {
+        Precision::Single => 1.0 / 4_294_967_296.0,
+        Precision::Double => f64::EPSILON / 2.0,
+    }
+}
+
+impl Sensitivity {
+    /// Runs the reference with random roundings of that precision.
+    pub fn measure<const D: usize>(
+        precision: Precision,
+        task: &Task,
+        set: &ParticleSet<D>,
+        reference: &Finished,
+        shown: bool,
+    ) -> Result<Self, Failure> {
+        let noise = Noise {
+            relative: ROUNDINGS_PER_STEP.sqrt() * precision.unit_roundoff(),
+            // Rounded to the nearest, a position is off by at most half a grid spacing; the reference rounds its own as well.
+            place: set.domain().torus_length().map(|side| side * grid(precision)),
+        };
+        let label = format!("reference f64, rounded like {precision} at random");
+        let engine = Timed::new(Noisy::new(PlainEngine::<f64, D>::new(set), noise));
+        let noisy = task.simulate(engine, set, Progress::new(&label, task.end_time, shown))?;
+        let mut response = [0.0; 4];
+        let pairs = reference.state.compared().into_iter().zip(noisy.state.compared());
+        for (k, ((a, b), scale)) in pairs.zip(scales(reference)).enumerate() {
+            response[k] = rms(a, b)? / scale;
+        }
+        Ok(Sensitivity { precision, response, steps: reference.steps })
+    }
+
+    /// The precision it is about.
+    pub fn precision(&self) -> Precision {
+        self.precision
+    }
+
+    /// What the rms difference of a field may be, in units of its scale.
+    pub fn tolerance(&self, field: usize) -> Tolerance {
+        let (unit, place) = match self.precision {
+            Precision::Single => ("2⁻²⁴", "2⁻³²"),
+            Precision::Double => ("2⁻⁵³", "2⁻⁵³"),
+        };
+        // A field that the flow does not disturb is still rounded itself.
+        let value = (SPREAD * self.response[field]).max(self.precision.unit_roundoff());
+        Tolerance::new(
+            value,
+            format!(
+                "{SPREAD} × {}, which is how far {} goes in the reference itself when each of its {} steps changes every particle at \
+                 random by √{ROUNDINGS_PER_STEP} × {unit} (about {ROUNDINGS_PER_STEP} roundings) and its position by {place} of the box; \
+                 {SPREAD} for the spread between one sample of such noise and another",
+                plain(self.response[field]),
+                COMPARED[field],
+                self.steps,
+            ),
+        )
+    }
+}
+
+/// Root of the mean square difference over all particles.
+pub fn rms(a: &[f64], b: &[f64]) -> Result<f64, Failure> {
+    let everywhere = (f64::NEG_INFINITY, f64::INFINITY);
+    l2_error(a, b, a, everywhere).map_err(|error| Failure::Broken(error.to_string()))
+}

@@ -1,0 +1,105 @@
+//! One simulation from start to end.
+
+use super::plan::Combination;
+use super::progress::Progress;
+use super::state::{State, Totals};
+use super::timed::{Clocked, Timed};
+use crate::command::choices::{Backend, Precision};
+use crate::command::failure::Failure;
+use crate::command::run::graphics::Graphics;
+use crate::report::model::Stage;
+use etalon_reference::engine::{Engine, EngineError, PlainEngine};
+use etalon_reference::particles::ParticleSet;
+use etalon_reference::passes::Physics;
+use etalon_reference::pipeline::Pipeline;
+use etalon_reference::simulation::Simulation;
+use etalon_simd::{LaneEngine, Options};
+use fearless_simd::Level;
+use std::time::Instant;
+
+/// What every run of a scene has in common.
+pub struct Task {
+    /// The physics.
+    pub physics: Physics,
+    /// When to stop.
+    pub end_time: f64,
+    /// Which particles move.
+    pub mobile: Vec<bool>,
+    /// The vector instructions to use.
+    pub level: Level,
+}
+
+/// A simulation that reached its end.
+pub struct Finished {
+    /// The particles at the end.
+    pub state: State,
+    /// Sums at the start.
+    pub start: Totals,
+    /// Sums at the end.
+    pub end: Totals,
+    /// Steps taken.
+    pub steps: u64,
+    /// Time reached.
+    pub time: f64,
+    /// Wall-clock time of all steps.
+    pub wall_seconds: f64,
+    /// The same by stage.
+    pub stages: Vec<Stage>,
+}
+
+impl Task {
+    /// Runs the particles on the backend of a combination: the one place where a backend is named.
+    pub fn run<const D: usize>(
+        &self,
+        combination: Combination,
+        set: &ParticleSet<D>,
+        graphics: &Graphics,
+        progress: Progress,
+    ) -> Result<Finished, Failure> {
+        let fields = Pipeline::of_scene::<D>(&self.physics).fields::<D>();
+        let options = Options { level: self.level };
+        match combination {
+            (Backend::Reference, Precision::Double) => {
+                self.simulate(Timed::new(PlainEngine::<f64, D>::new(set)), set, progress)
+            }
+            (Backend::Reference, Precision::Single) => {
+                self.simulate(Timed::new(PlainEngine::<f32, D>::new(set)), set, progress)
+            }
+            (Backend::Simd, Precision::Double) => {
+                self.simulate(LaneEngine::<f64, D>::new(set, &fields, options), set, progress)
+            }
+            (Backend::Simd, Precision::Single) => {
+                self.simulate(LaneEngine::<f32, D>::new(set, &fields, options), set, progress)
+            }
+            (Backend::Wgpu, _) => graphics.run(self, set, progress),
+        }
+    }
+
+    /// Runs an engine to the end time.
+    pub fn simulate<const D: usize, E: Engine<D> + Clocked>(
+        &self,
+        engine: E,
+        set: &ParticleSet<D>,
+        mut progress: Progress,
+    ) -> Result<Finished, Failure> {
+        let label = progress.label().to_string();
+        let wrong = |error: EngineError| Failure::Broken(format!("{label}: {error}"));
+        let mut simulation = Simulation::new(engine, self.physics).map_err(wrong)?;
+        let start = Totals::read(simulation.engine(), &self.mobile).map_err(wrong)?;
+        simulation.engine().restart();
+        let clock = Instant::now();
+        simulation.run(self.end_time, |time| progress.step(time)).map_err(wrong)?;
+        let wall_seconds = clock.elapsed().as_secs_f64();
+        progress.done(wall_seconds);
+        let stages = simulation.engine().stages();
+        Ok(Finished {
+            state: State::read(simulation.engine(), set.domain()).map_err(wrong)?,
+            end: Totals::read(simulation.engine(), &self.mobile).map_err(wrong)?,
+            start,
+            steps: simulation.steps(),
+            time: simulation.time(),
+            wall_seconds,
+            stages,
+        })
+    }
+}

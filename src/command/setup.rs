@@ -1,0 +1,118 @@
+//! From what was typed to a scene that can be run, or a sentence that says why not.
+
+use super::arguments::SceneArguments;
+use super::choices::Start;
+use super::failure::Failure;
+use etalon_kernels_gen::lanes::{available_levels, level_name};
+use etalon_reference::scenes::sod::{self, Sod};
+use etalon_reference::schemes::Viscosity;
+use fearless_simd::Level;
+
+/// A scene with every option settled.
+#[derive(Clone, Copy, Debug)]
+pub struct Setup {
+    /// Dimensions.
+    pub dimension: usize,
+    /// The tube.
+    pub sod: Sod,
+    /// Simulated time to stop at.
+    pub end_time: f64,
+}
+
+impl Setup {
+    /// Settles the options and checks those that can be checked without particles.
+    pub fn new(arguments: &SceneArguments) -> Result<Self, Failure> {
+        let standard = Sod::standard(arguments.dim);
+        let usual = usual_neighbours(arguments);
+        let sod = Sod {
+            particles: arguments.n.unwrap_or(standard.particles),
+            arrangement: arguments.start.arrangement(),
+            smoothed: arguments.smoothed,
+            gamma: arguments.gamma.unwrap_or(standard.gamma),
+            kernel: arguments.kernel,
+            neighbours: arguments.neighbours.unwrap_or(usual),
+            dissipation: arguments.scheme,
+            grad_h: arguments.grad_h,
+        };
+        let setup = Setup { dimension: arguments.dim, sod, end_time: arguments.end_time };
+        setup.check_end_time()?;
+        Ok(setup)
+    }
+
+    /// The exact solution lasts until a wave reaches an end of the tube.
+    fn check_end_time(&self) -> Result<(), Failure> {
+        let given = self.end_time;
+        if given <= 0.0 {
+            return Err(Failure::BadInput(format!("--end-time {given}: a run takes time; give a number above 0")));
+        }
+        let exact = self.sod.exact()?;
+        let (left, right) = (exact.left_wave(), exact.right_wave());
+        let room = [sod::INTERFACE, 1.0 - sod::INTERFACE];
+        let reaches = |wave: Option<f64>, room: f64| wave.map_or(f64::INFINITY, |speed| room / speed.abs());
+        let last = reaches(left.map(|w| w.head()), room[0]).min(reaches(right.map(|w| w.head()), room[1]));
+        if given > last {
+            return Err(Failure::BadInput(format!(
+                "--end-time {given}: a wave reaches the end of the tube at t = {last:.4}, and there is no exact solution after \
+                 that; give a smaller number"
+            )));
+        }
+        Ok(())
+    }
+
+    /// Options that give this setup again, all spelled out.
+    pub fn options(&self) -> String {
+        let Sod { particles, arrangement, smoothed, gamma, kernel, neighbours, dissipation, grad_h } = self.sod;
+        let start = Start::ALL.iter().find(|s| s.arrangement() == arrangement).map_or("lattice", |s| s.name());
+        let smoothed = if smoothed { " --smoothed" } else { "" };
+        format!(
+            "sod --dim {} --n {particles} --scheme {dissipation} --kernel {kernel} --neighbours {neighbours} --grad-h {grad_h} \
+             --start {start}{smoothed} --gamma {gamma} --end-time {}",
+            self.dimension, self.end_time
+        )
+    }
+
+    /// The scheme's coefficients in words.
+    pub fn coefficients(&self) -> String {
+        let Viscosity { dissipation: _, alpha, beta, q_fold, floor: _ } = self.sod.physics().viscosity;
+        match self.sod.dissipation.reconstructs() {
+            true => format!("α = {alpha}, β = {beta}, reconstruction cut off over {q_fold} h"),
+            false => format!("α = {alpha}, β = {beta}"),
+        }
+    }
+}
+
+/// The scene's neighbours are for kernels of support 2 h; a wider one gets more, so that h stays the same.
+fn usual_neighbours(arguments: &SceneArguments) -> f64 {
+    let wider = (arguments.kernel.support() / 2.0).powi(arguments.dim as i32);
+    Sod::usual_neighbours(arguments.dim) * wider
+}
+
+/// The vector instructions of that name, or the best ones.
+pub fn instructions(name: Option<&str>) -> Result<Level, Failure> {
+    let levels = available_levels();
+    let names: Vec<&str> = levels.iter().map(|level| level_name(*level)).collect();
+    match name {
+        None => Ok(levels.first().copied().unwrap_or_else(Level::new)),
+        Some(name) => levels.iter().copied().find(|level| level_name(*level) == name).ok_or_else(|| {
+            Failure::BadInput(format!(
+                "--instructions {name}: this processor runs {}; choose one of them",
+                names.join(", ")
+            ))
+        }),
+    }
+}
+
+/// A pool of that many threads, or one for each the processor has.
+pub fn threads(number: Option<usize>) -> Result<rayon::ThreadPool, Failure> {
+    /// More help nobody: the pool would only fill memory with stacks.
+    const MOST: usize = 4096;
+    if let Some(number) = number.filter(|number| *number > MOST) {
+        return Err(Failure::BadInput(format!(
+            "--threads {number}: at most {MOST} can be started; give a smaller number"
+        )));
+    }
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(number.unwrap_or(0)).build();
+    pool.map_err(|error| {
+        Failure::BadInput(format!("--threads: the threads could not be started ({error}); give fewer"))
+    })
+}
