@@ -120,7 +120,7 @@ fn reference(physics: Physics) -> Result<f64, Failure> {
 
 /// Wall-clock seconds of some steps.
 fn time<E: Engine<3> + Clocked>(simulation: &mut Simulation<3, E>, steps: usize) -> Result<f64, EngineError> {
-    simulation.engine().restart();
+    simulation.engine().restart()?;
     let start = Instant::now();
     for _ in 0..steps {
         simulation.step(f64::MAX)?;
@@ -155,7 +155,7 @@ fn measure<T: Number>(
         particles,
         pairs_per_particle: engine.pair_count() as f64 / particles as f64,
         nanoseconds,
-        stages: engine.stages().into_iter().map(each).collect(),
+        stages: engine.stages()?.into_iter().map(each).collect(),
         peak_gflops,
         threads: arguments.threads,
         speed_up: reference / nanoseconds,

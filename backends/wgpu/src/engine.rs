@@ -88,8 +88,14 @@ impl<const D: usize> WgpuEngine<D> {
         let engine = Self::empty(set, slots, length_slot, device).map_err(told)?;
         let particles = set.particles();
         let put = |field: Field, index: usize, value: &dyn Fn(usize) -> f64| {
-            let Some(slot) = engine.slots.of(Component { field, index }) else { return Ok(()) };
-            let column: Vec<f32> = (0..particles.len()).map(|i| value(i) as f32).collect();
+            let component = Component { field, index };
+            let Some(slot) = engine.slots.of(component) else { return Ok(()) };
+            let column = single::<D>(component, particles.len(), value)?;
+            let positive = [fields::MASS, fields::SMOOTHING_LENGTH].contains(&field);
+            // A device may take smaller numbers for zero.
+            if let Some(i) = column.iter().position(|&x| positive && x < f32::MIN_POSITIVE) {
+                return Err(out_of_range::<D>(component, i, value(i)));
+            }
             engine.store.upload(&engine.device, slot, &column).map_err(told)
         };
         put(fields::MASS, 0, &|i| particles[i].mass)?;
@@ -184,4 +190,25 @@ const NO_FIELD: &str = "this engine was made without";
 
 fn told(error: Error) -> EngineError {
     EngineError::from_display(error)
+}
+
+/// Values by number as single precision, refused where they leave its range.
+fn single<const D: usize>(
+    component: Component,
+    count: usize,
+    value: impl Fn(usize) -> f64,
+) -> Result<Vec<f32>, EngineError> {
+    let column: Vec<f32> = (0..count).map(|i| value(i) as f32).collect();
+    match column.iter().enumerate().position(|(i, x)| x.is_infinite() && value(i).is_finite()) {
+        Some(i) => Err(out_of_range::<D>(component, i, value(i))),
+        None => Ok(column),
+    }
+}
+
+fn out_of_range<const D: usize>(component: Component, particle: usize, value: f64) -> EngineError {
+    EngineError(format!(
+        "the {} of particle {particle} is {value:e}, out of the range of single precision: choose other units, or \
+         compute in double precision with `--backend simd`",
+        component.name(D)
+    ))
 }

@@ -1,8 +1,12 @@
 //! Runs passes as generated WGSL on a graphics device.
 //!
-//! Here is everything that does not depend on a pass: opening a device ([`Device`]), the particles' storage on it
-//! ([`FieldStore`], [`Coordinates`]), the neighbour search ([`NeighbourSearch`]), the reduction that gives the time step its
-//! extremes ([`Reduction`]), the motion of the particles ([`Drift`]), and the frame that a generated pass is put into
+//! [`WgpuEngine`] runs scenes: it keeps the particles on the device, has the text of every pass printed from its drawing
+//! ([`pass_text`], [`update_text`]), validated ([`validate`]) and compiled when it is first met, and reads back only the
+//! smallest time step and the length of the neighbour lists.
+//!
+//! Below it is everything that does not depend on a pass: opening a device ([`open`], [`Device`]), the particles' storage on
+//! it ([`FieldStore`], [`Coordinates`]), the neighbour search ([`NeighbourSearch`]), the reduction that gives the time step
+//! its extremes ([`Reduction`]), the motion of the particles ([`Drift`]), and the bindings that a generated pass is put into
 //! ([`PassPipeline`]). The kernels written by hand are the `.wgsl` files in `src/wgsl`; they are tested without a device too.
 //!
 //! Two properties hold throughout. Every result is the same bits at every run: atomics are only used where their order

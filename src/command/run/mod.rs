@@ -65,7 +65,8 @@ pub fn run(arguments: &RunArguments) -> Result<Done, Failure> {
     });
     report::check_destination(&folder)?;
     let pool = setup::threads(arguments.threads)?;
-    let graphics = Graphics::find(arguments.adapter.as_deref());
+    let wanted = plan.combinations.iter().any(|(backend, _)| *backend == Backend::Wgpu);
+    let graphics = Graphics::find(arguments.adapter.as_deref(), wanted);
     if let Some(reason) = graphics.absent().filter(|_| plan.wgpu_required) {
         return Err(Failure::BadInput(reason.to_string()));
     }

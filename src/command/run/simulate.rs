@@ -48,7 +48,7 @@ pub struct Finished {
 }
 
 impl Task {
-    /// Runs the particles on the backend of a combination: the one place where a backend is named.
+    /// Runs the particles on the backend of a combination.
     pub fn run<const D: usize>(
         &self,
         combination: Combination,
@@ -86,12 +86,12 @@ impl Task {
         let wrong = |error: EngineError| Failure::Broken(format!("{label}: {error}"));
         let mut simulation = Simulation::new(engine, self.physics).map_err(wrong)?;
         let start = Totals::read(simulation.engine(), &self.mobile).map_err(wrong)?;
-        simulation.engine().restart();
+        simulation.engine().restart().map_err(wrong)?;
         let clock = Instant::now();
         simulation.run(self.end_time, |time| progress.step(time)).map_err(wrong)?;
         let wall_seconds = clock.elapsed().as_secs_f64();
         progress.done(wall_seconds);
-        let stages = simulation.engine().stages();
+        let stages = simulation.engine().stages().map_err(wrong)?;
         Ok(Finished {
             state: State::read(simulation.engine(), set.domain()).map_err(wrong)?,
             end: Totals::read(simulation.engine(), &self.mobile).map_err(wrong)?,

@@ -4,31 +4,42 @@ use crate::report::model::Stage;
 use etalon_kernels_gen::{Component, Field, Pass, Update};
 use etalon_reference::engine::{Engine, EngineError};
 use etalon_simd::{LaneEngine, Number, Timings};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// An engine that knows how long its stages took.
 pub trait Clocked {
     /// Forgets what was.
-    fn restart(&mut self);
-    /// Wall-clock time by stage since the last restart.
-    fn stages(&self) -> Vec<Stage>;
+    fn restart(&mut self) -> Result<(), EngineError>;
+    /// Time by stage since the last restart.
+    fn stages(&mut self) -> Result<Vec<Stage>, EngineError>;
 }
 
-fn stages(timings: &Timings) -> Vec<Stage> {
-    let stage = |(name, time, count): &(&str, std::time::Duration, u64)| Stage {
+fn stages<N: ToString>(timings: &[(N, Duration, u64)]) -> Vec<Stage> {
+    let stage = |(name, time, count): &(N, Duration, u64)| Stage {
         name: name.to_string(),
         seconds: time.as_secs_f64(),
         count: *count,
     };
-    timings.stages().iter().map(stage).collect()
+    timings.iter().map(stage).collect()
 }
 
 impl<T: Number, const D: usize> Clocked for LaneEngine<T, D> {
-    fn restart(&mut self) {
+    fn restart(&mut self) -> Result<(), EngineError> {
         self.clear_timings();
+        Ok(())
     }
-    fn stages(&self) -> Vec<Stage> {
-        stages(self.timings())
+    fn stages(&mut self) -> Result<Vec<Stage>, EngineError> {
+        Ok(stages(self.timings().stages()))
+    }
+}
+
+#[cfg(feature = "wgpu")]
+impl<const D: usize> Clocked for etalon_wgpu::WgpuEngine<D> {
+    fn restart(&mut self) -> Result<(), EngineError> {
+        self.set_timed(true)
+    }
+    fn stages(&mut self) -> Result<Vec<Stage>, EngineError> {
+        Ok(stages(self.timings()?.stages()))
     }
 }
 
@@ -53,11 +64,12 @@ impl<E> Timed<E> {
 }
 
 impl<E> Clocked for Timed<E> {
-    fn restart(&mut self) {
+    fn restart(&mut self) -> Result<(), EngineError> {
         self.timings.clear();
+        Ok(())
     }
-    fn stages(&self) -> Vec<Stage> {
-        stages(&self.timings)
+    fn stages(&mut self) -> Result<Vec<Stage>, EngineError> {
+        Ok(stages(self.timings.stages()))
     }
 }
 

@@ -7,7 +7,7 @@ use etalon_reference::engine::{Engine, EngineError};
 use etalon_reference::fields;
 
 use super::work::{Work, record};
-use super::{NO_FIELD, WgpuEngine, told};
+use super::{NO_FIELD, WgpuEngine, single, told};
 use crate::{Extremes, Result as DeviceResult, frame};
 
 /// What a generated text says of itself when it is made for a device rather than for a reader.
@@ -129,8 +129,9 @@ impl<const D: usize> Engine<D> for WgpuEngine<D> {
             let (found, wanted) = (values.len(), self.identity.len());
             return Err(EngineError(format!("{} has {found} values for {wanted} particles", component.name(D))));
         }
+        let by_number = single::<D>(component, values.len(), |particle| values[particle])?;
         self.flush().map_err(told)?;
-        let column: Vec<f32> = self.identity.iter().map(|&original| values[original as usize] as f32).collect();
+        let column: Vec<f32> = self.identity.iter().map(|&original| by_number[original as usize]).collect();
         self.store.upload(&self.device, slot, &column).map_err(told)
     }
 

@@ -11,3 +11,4 @@ mod passes;
 mod random;
 mod runs;
 mod scene;
+mod updates;

@@ -1,0 +1,336 @@
+//! The program as users run it: what it prints, what it leaves, how it refuses.
+
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A folder of one test alone, removed at its end.
+struct Place(PathBuf);
+
+impl Place {
+    fn new(test: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("etalon-command-{test}-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).unwrap();
+        Place(path)
+    }
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+    /// Runs the program here, as on a machine without any graphics driver.
+    fn etalon(&self, arguments: &[&str]) -> Output {
+        Command::new(env!("CARGO_BIN_EXE_etalon"))
+            .args(arguments)
+            .current_dir(&self.0)
+            .env("VK_DRIVER_FILES", "/dev/null")
+            .env("VK_ICD_FILENAMES", "/dev/null")
+            .env_remove("ETALON_ADAPTER")
+            .output()
+            .unwrap()
+    }
+    fn listing(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0).unwrap();
+        let mut names: Vec<String> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn stdout(output: &Output) -> &str {
+    std::str::from_utf8(&output.stdout).unwrap()
+}
+
+fn stderr(output: &Output) -> &str {
+    std::str::from_utf8(&output.stderr).unwrap()
+}
+
+fn code(output: &Output) -> Option<i32> {
+    output.status.code()
+}
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error} in {text}"))
+}
+
+/// The smallest tube that is one: a second even without optimisation.
+const TINY: [&str; 6] = ["run", "sod", "--dim", "1", "--n", "100"];
+
+fn tiny<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&TINY[..], more].concat()
+}
+
+#[test]
+fn a_run_compares_all_backends_and_leaves_a_report() {
+    let place = Place::new("run");
+    let output = place.etalon(&TINY);
+    let (table, log) = (stdout(&output), stderr(&output));
+    assert_eq!(code(&output), Some(0), "{table}{log}");
+    for row in ["reference  f64", "simd       f64", "simd       f32", "wgpu       f32"] {
+        assert!(table.contains(row), "{row} is missing:\n{table}");
+    }
+    assert!(table.contains(" ok (") && !table.contains("FAIL"), "{table}");
+    assert!(table.contains("etalon-out/sod-1d/report.html"), "{table}");
+    // No driver here: said in the table and on stderr, not passed over. Elsewhere drivers cannot be hidden.
+    if cfg!(target_os = "linux") {
+        let reason = if cfg!(feature = "wgpu") { "no graphics adapter" } else { "without graphics" };
+        assert!(table.contains("skipped: ") && table.contains(reason), "{table}");
+        assert!(log.contains("wgpu f32 skipped"), "{log}");
+    }
+    assert!(log.contains("reference f64: ") && log.contains(" steps to t = 0.2"), "{log}");
+
+    let folder = place.path("etalon-out/sod-1d");
+    for file in ["report.html", "report.json", "particles.csv", "particles.vtu", "profile_velocity_x.svg"] {
+        assert!(fs::metadata(folder.join(file)).is_ok_and(|m| m.len() > 1000), "{file}");
+    }
+    let report = fs::read_to_string(folder.join("report.json")).unwrap();
+    let report = etalon::report::from_json(&report).unwrap();
+    let (_, reference) = report.reference().unwrap();
+    let velocity = reference.error_of("velocity_x").unwrap();
+    // 100 particles resolve the tube with about 90 and 11 on its sides; a wrong plateau or wave would be off by more than a tenth.
+    assert!(velocity.l1 < 0.05 && velocity.particles > 50, "{velocity:?}");
+    assert!(report.kernel_approximation.iter().all(|a| a.passes()));
+    for (_, run, measured) in report.measured() {
+        assert_eq!(measured.arithmetic_difference.len(), if run.is_reference() { 0 } else { 4 });
+        assert!(measured.conservation.iter().all(|c| c.passes()));
+        assert_eq!(measured.time, 0.2);
+        assert!(measured.stages.iter().any(|s| s.name == "reconstructed_momentum" && s.count == measured.steps));
+    }
+}
+
+#[test]
+fn the_same_command_gives_the_same_numbers_and_its_report_names_it() {
+    let place = Place::new("again");
+    let arguments = tiny(&["--backend", "simd", "--precision", "f64", "--alone", "--json"]);
+    let first = json(stdout(&place.etalon(&arguments)));
+    let command = first["command"].as_str().unwrap().to_string();
+    let words: Vec<&str> = command.split(' ').skip(1).collect();
+    let again = place.etalon(&[&words[..], &["--json"]].concat());
+    assert_eq!(code(&again), Some(0), "{command}: {}", stderr(&again));
+    let again = json(stdout(&again));
+    assert_eq!(again["command"], first["command"]);
+    let errors = |report: &Value| report["runs"][0]["outcome"]["ran"]["discretisation_error"].clone();
+    assert!(errors(&first)[0]["l1"].is_f64());
+    assert_eq!(errors(&first), errors(&again));
+}
+
+#[test]
+fn json_on_stdout_is_the_report() {
+    let place = Place::new("json");
+    let output = place.etalon(&tiny(&["--backend", "simd", "--json", "--out", "here"]));
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    assert_eq!(stdout(&output), fs::read_to_string(place.path("here/report.json")).unwrap());
+    let report = json(stdout(&output));
+    let runs: Vec<String> = report["runs"].as_array().unwrap().iter().map(|r| format!("{} {}", r["backend"], r["precision"])).collect();
+    // The reference comes along to compare with; the other backend does not.
+    assert_eq!(runs, ["\"reference\" \"f64\"", "\"simd\" \"f64\"", "\"simd\" \"f32\""]);
+}
+
+#[test]
+fn instruction_sets_and_threads_do_not_change_a_bit() {
+    let place = Place::new("bits");
+    let run = |out: &str, more: &[&str]| {
+        let common = ["--backend", "simd", "--precision", "f32", "--alone", "--out", out];
+        let output = place.etalon(&tiny(&[&common[..], more].concat()));
+        assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+        fs::read_to_string(place.path(out).join("particles.csv")).unwrap()
+    };
+    let best = run("best", &["--threads", "1"]);
+    assert_eq!(best, run("portable", &["--threads", "3", "--instructions", "portable"]));
+}
+
+#[test]
+fn every_scheme_start_and_dimension_can_be_explained() {
+    let place = Place::new("explain");
+    for dimension in ["1", "2", "3"] {
+        for scheme in ["AV", "AVSLR", "AVSLRB", "AVSLRB2", "AVSLRB2F"] {
+            let output = place.etalon(&["explain", "sod", "--dim", dimension, "--scheme", scheme, "--json"]);
+            assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+            let explained = json(stdout(&output));
+            assert_eq!(explained["schema"], "etalon-explain");
+            assert_eq!(explained["dimension"].to_string(), dimension);
+            let stages = explained["stages"].as_array().unwrap();
+            let names: Vec<&str> = stages.iter().filter_map(|s| s["name"].as_str()).collect();
+            let last = if scheme == "AV" { "momentum" } else { "reconstructed_momentum" };
+            assert!(names.contains(&last), "{names:?}");
+            assert!(explained["operations_per_pair"]["f32"].as_u64().unwrap() > 50);
+            let memory = explained["bytes_per_particle"].as_array().unwrap();
+            assert_eq!(memory.len(), 4);
+            assert!(memory.iter().all(|m| (100.0..4000.0).contains(&m["total"].as_f64().unwrap())), "{memory:?}");
+        }
+    }
+}
+
+#[test]
+fn the_explanation_names_fields_symbols_units_and_work() {
+    let place = Place::new("text");
+    let output = place.etalon(&["explain", "sod", "--dim", "2", "--backend", "simd"]);
+    let text = stdout(&output);
+    for part in
+        ["velocity_gradients (pass over neighbours)", "of others", "per pair", "M L^-nu", "density ρ", "simd f64", "total"]
+    {
+        assert!(text.contains(part), "{part} is missing:\n{text}");
+    }
+    assert!(!text.contains("wgpu") && !text.contains('\\'), "{text}");
+}
+
+#[test]
+fn scenes_lists_every_name() {
+    let place = Place::new("scenes");
+    let text = place.etalon(&["scenes"]);
+    let names = json(stdout(&place.etalon(&["scenes", "--json"])));
+    assert_eq!(names["schema"], "etalon-scenes");
+    for list in ["schemes", "kernels", "grad_h", "starts", "backends", "precisions"] {
+        let names = names[list].as_array().unwrap();
+        assert!(!names.is_empty());
+        for name in names {
+            assert!(stdout(&text).contains(name.as_str().unwrap()), "{name} is missing:\n{}", stdout(&text));
+        }
+    }
+}
+
+#[test]
+fn a_benchmark_reports_every_figure() {
+    let place = Place::new("bench");
+    let output = place.etalon(&["bench", "--n", "1000", "--steps", "1", "--json"]);
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    let bench = json(stdout(&output));
+    let positive = |value: &Value| assert!(value.as_f64().is_some_and(|v| v > 0.0), "{value} in {bench}");
+    positive(&bench["reference"]["nanoseconds_per_update"]);
+    assert_eq!(bench["runs"].as_array().unwrap().len(), 2);
+    for run in bench["runs"].as_array().unwrap() {
+        let precision = run["precision"].as_str().unwrap();
+        let peak = &bench["machine"]["fma_peak_gflops_per_core"][precision];
+        positive(peak);
+        for key in ["nanoseconds_per_update", "updates_per_second", "speed_up"] {
+            positive(&run[key]);
+        }
+        // One thread: updates per second over GFLOP/s, to the last rounding or two.
+        let expected = run["updates_per_second"].as_f64().unwrap() / peak.as_f64().unwrap();
+        let found = run["updates_per_gflop"].as_f64().unwrap();
+        assert!((found / expected - 1.0).abs() < 4.0 * f64::EPSILON, "{found} for {expected}");
+        assert!(run["stages"].as_array().unwrap().iter().any(|s| s["name"] == "reconstructed_momentum"));
+    }
+}
+
+/// Bad input: exit code 2, these words in one line on stderr, nothing on stdout, nothing written.
+fn refused(test: &str, arguments: &[&str], words: &[&str]) {
+    let place = Place::new(test);
+    let output = place.etalon(arguments);
+    let message = stderr(&output);
+    assert_eq!(code(&output), Some(2), "{arguments:?}: {message}");
+    assert_eq!(message.lines().count(), 1, "{arguments:?}: {message}");
+    for word in words {
+        assert!(message.contains(word), "{arguments:?}: `{word}` is missing in: {message}");
+    }
+    assert_eq!(stdout(&output), "", "{arguments:?}");
+    assert_eq!(place.listing(), Vec::<String>::new(), "{arguments:?}");
+}
+
+#[test]
+fn unknown_names_are_refused_with_the_right_ones() {
+    refused("scene", &["run", "sedov"], &["`sedov`", "there is no scene", "sod"]);
+    refused("scene2", &["explain", "sedov"], &["there is no scene `sedov`"]);
+    refused("scheme", &tiny(&["--scheme", "AVSW"]), &["--scheme AVSW", "AVSLRB2F"]);
+    refused("kernel", &tiny(&["--kernel", "gauss"]), &["--kernel gauss", "sinc49, M4"]);
+    refused("backend", &tiny(&["--backend", "cuda"]), &["--backend cuda", "reference, simd, wgpu"]);
+    refused("precision", &tiny(&["--precision", "f16"]), &["--precision f16", "f32, f64"]);
+    refused("grad-h", &tiny(&["--grad-h", "none"]), &["--grad-h none", "exact, corrected"]);
+    refused("start", &tiny(&["--start", "random"]), &["--start random", "lattice, glass"]);
+    refused("instructions", &tiny(&["--instructions", "mmx"]), &["--instructions mmx", "portable"]);
+}
+
+#[test]
+fn numbers_that_make_no_sense_are_refused() {
+    let run = |more: &[&'static str]| [&["run", "sod"], more].concat();
+    refused("dim4", &run(&["--dim", "4"]), &["--dim 4", "1, 2 or 3"]);
+    refused("dim-1", &run(&["--dim", "-1"]), &["--dim -1", "1, 2 or 3"]);
+    refused("n0", &run(&["--n", "0"]), &["--n 0", "at least 1"]);
+    refused("nmany", &run(&["--n", "many"]), &["--n many", "whole number"]);
+    refused("n-5", &run(&["--n", "-5"]), &["--n -5", "at least 1"]);
+    refused("n5", &run(&["--dim", "1", "--n", "5"]), &["--n 5", "at least 40"]);
+    refused("n1e15", &run(&["--n", "1e15"]), &["--n 1000000000000000", "give at most"]);
+    refused("n1e99", &run(&["--n", "1e99"]), &["--n 1e99", "smaller"]);
+    refused("narrow", &run(&["--n", "2000"]), &["--n 2000", "at least"]);
+    refused("t-1", &run(&["--end-time", "-1"]), &["--end-time -1", "above 0"]);
+    refused("t0", &run(&["--end-time", "0"]), &["--end-time 0", "above 0"]);
+    refused("tnan", &run(&["--end-time", "NaN"]), &["--end-time NaN", "finite"]);
+    refused("t1", &run(&["--end-time", "1"]), &["--end-time 1", "t = 0.27", "smaller"]);
+    refused("few", &run(&["--neighbours", "3"]), &["--neighbours 3", "between 30 and 600"]);
+    refused("many", &run(&["--dim", "1", "--neighbours", "1e9"]), &["between 4 and 40"]);
+    refused("nan", &run(&["--neighbours", "NaN"]), &["--neighbours NaN", "finite"]);
+    refused("gamma", &run(&["--gamma", "1"]), &["gamma", "1"]);
+    refused("threads", &run(&["--threads", "0"]), &["--threads 0", "at least 1"]);
+    refused("threads9", &run(&["--threads", "1000000"]), &["--threads 1000000", "smaller"]);
+    refused("bench0", &["bench", "--n", "0"], &["--n 0"]);
+    refused("bench9", &["bench", "--n", "9"], &["--n 9", "at least 512"]);
+    refused("steps0", &["bench", "--steps", "0"], &["--steps 0"]);
+}
+
+#[test]
+fn combinations_that_make_no_sense_are_refused() {
+    refused("f64", &tiny(&["--backend", "wgpu", "--precision", "f64"]), &["--precision f32", "64-bit"]);
+    refused("alone", &tiny(&["--alone"]), &["--alone", "--backend"]);
+    refused("no-simd", &tiny(&["--backend", "reference", "--instructions", "portable"]), &["--instructions", "simd"]);
+    refused("no-pool", &tiny(&["--backend", "reference", "--threads", "2"]), &["--threads", "simd"]);
+    refused("no-wgpu", &tiny(&["--backend", "simd", "--adapter", "x"]), &["--adapter", "wgpu"]);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_graphics_backend_that_was_asked_for_by_name_is_not_skipped() {
+    refused("wgpu", &tiny(&["--backend", "wgpu"]), &["--backend simd"]);
+    refused("adapter", &tiny(&["--adapter", "no such adapter"]), &["--backend simd"]);
+}
+
+#[test]
+fn what_the_reader_of_the_command_line_refuses_exits_with_2() {
+    let place = Place::new("clap");
+    for arguments in [&["run"][..], &["run", "sod", "--no-such-option"], &["walk"], &[]] {
+        let output = place.etalon(arguments);
+        assert_eq!(code(&output), Some(2), "{arguments:?}");
+        assert!(!stderr(&output).is_empty());
+    }
+    for arguments in [&["--help"][..], &["run", "--help"], &["--version"]] {
+        let output = place.etalon(arguments);
+        assert_eq!(code(&output), Some(0), "{arguments:?}");
+        assert!(stderr(&output).is_empty() && stdout(&output).contains("etalon"), "{arguments:?}");
+    }
+    assert!(stdout(&place.etalon(&["--help"])).contains("etalon run sod"));
+}
+
+/// Everything below a folder with its contents.
+fn contents(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut all: Vec<_> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).map(|p| (p.clone(), fs::read(&p).unwrap())).collect();
+    all.sort();
+    all
+}
+
+#[test]
+fn nothing_foreign_is_overwritten_and_a_failure_keeps_the_old_report() {
+    let place = Place::new("out");
+    fs::create_dir(place.path("thesis")).unwrap();
+    fs::write(place.path("thesis/chapter.tex"), "years of work").unwrap();
+    let output = place.etalon(&tiny(&["--backend", "simd", "--alone", "--out", "thesis"]));
+    assert_eq!(code(&output), Some(2));
+    assert!(stderr(&output).contains("--out"), "{}", stderr(&output));
+    // Refused before anything ran.
+    assert!(!stderr(&output).contains("steps"), "{}", stderr(&output));
+    assert_eq!(contents(&place.path("thesis")).len(), 1);
+
+    let good = tiny(&["--backend", "simd", "--precision", "f64", "--alone", "--out", "mine"]);
+    assert_eq!(code(&place.etalon(&good)), Some(0));
+    let before = contents(&place.path("mine"));
+    assert_eq!(code(&place.etalon(&tiny(&["--scheme", "AVSW", "--out", "mine"]))), Some(2));
+    assert_eq!(contents(&place.path("mine")), before);
+    // A report is replaced by the next one.
+    assert_eq!(code(&place.etalon(&good)), Some(0));
+    assert_ne!(contents(&place.path("mine")), before);
+    assert_eq!(place.listing(), ["mine", "thesis"]);
+}
