@@ -18,32 +18,32 @@ pub struct FmaPeak {
     pub double: f64,
 }
 
-/// Rounds of a chain per measurement: about a tenth of a millisecond, short enough to fall between interruptions.
-const ROUNDS: usize = 20_000;
+/// Rounds of a chain per measurement: some microseconds, short enough to fall between interruptions.
+const ROUNDS: usize = 2_000;
 /// Measurements; the fastest counts, as everything that disturbs one makes it slower.
-const REPEATS: usize = 200;
+const REPEATS: usize = 4_000;
+/// No more than so many seconds of them: a level without the instruction calls a function, and is a hundred times slower.
+const PATIENCE: f64 = 0.1;
 
 /// Measures the calling thread's core with the instructions of `level`: a fraction of a second.
 pub fn measure(level: Level) -> FmaPeak {
     // Twelve chains cover the latency where a vector is one register; six where it takes two or four of them.
     let best = |twelve: f64, six: f64| twelve.max(six);
     FmaPeak {
-        single: best(rate(level, 16, SingleChains::<12>), rate(level, 16, SingleChains::<6>)),
-        double: best(rate(level, 8, DoubleChains::<12>), rate(level, 8, DoubleChains::<6>)),
+        single: best(rate(level, SingleChains::<12>), rate(level, SingleChains::<6>)),
+        double: best(rate(level, DoubleChains::<12>), rate(level, DoubleChains::<6>)),
     }
 }
 
 /// GFLOP/s of the fastest repeat.
-fn rate<P: LaneProgram<Output = usize> + Copy>(level: Level, lanes: usize, program: P) -> f64 {
+fn rate<P: LaneProgram<Output = usize> + Copy>(level: Level, program: P) -> f64 {
     let mut best = 0.0_f64;
     let first = Instant::now();
     for _ in 0..REPEATS {
         let start = Instant::now();
-        let chains = dispatch(level, program);
-        let operations = 2 * chains * lanes * ROUNDS;
+        let operations = 2 * ROUNDS * dispatch(level, program);
         best = best.max(operations as f64 / start.elapsed().as_secs_f64() * 1e-9);
-        // A level without the instruction calls a library function and is a hundred times slower.
-        if first.elapsed().as_secs_f64() > 0.25 {
+        if first.elapsed().as_secs_f64() > PATIENCE {
             break;
         }
     }
@@ -51,8 +51,8 @@ fn rate<P: LaneProgram<Output = usize> + Copy>(level: Level, lanes: usize, progr
 }
 
 macro_rules! chains {
-    ($name:ident, $vector:ident) => {
-        /// `N` independent chains; returns how many.
+    ($name:ident, $vector:ident, $element:ty, $lanes:literal) => {
+        /// `N` independent chains in every lane; returns how many that makes.
         #[derive(Clone, Copy)]
         struct $name<const N: usize>;
 
@@ -71,17 +71,24 @@ macro_rules! chains {
                 }
                 let sum = values.into_iter().reduce(|a, b| a + b);
                 black_box(sum.map(|sum| sum.lt(factor)));
-                N
+                N * $lanes
             }
-            /// Without fused instructions there is nothing to measure: a library function would be.
             fn one_by_one(self) -> usize {
-                0
+                let (factor, addend): ($element, $element) = (black_box(0.5), black_box(0.5));
+                let mut values = [black_box(1.0); N];
+                for _ in 0..ROUNDS {
+                    for value in &mut values {
+                        *value = factor.mul_add(*value, addend);
+                    }
+                }
+                black_box(values);
+                N
             }
         }
     };
 }
-chains!(SingleChains, f32x16);
-chains!(DoubleChains, f64x8);
+chains!(SingleChains, f32x16, f32, 16);
+chains!(DoubleChains, f64x8, f64, 8);
 
 #[cfg(test)]
 mod tests {

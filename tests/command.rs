@@ -127,7 +127,8 @@ fn json_on_stdout_is_the_report() {
     assert_eq!(code(&output), Some(0), "{}", stderr(&output));
     assert_eq!(stdout(&output), fs::read_to_string(place.path("here/report.json")).unwrap());
     let report = json(stdout(&output));
-    let runs: Vec<String> = report["runs"].as_array().unwrap().iter().map(|r| format!("{} {}", r["backend"], r["precision"])).collect();
+    let runs: Vec<String> =
+        report["runs"].as_array().unwrap().iter().map(|r| format!("{} {}", r["backend"], r["precision"])).collect();
     // The reference comes along to compare with; the other backend does not.
     assert_eq!(runs, ["\"reference\" \"f64\"", "\"simd\" \"f64\"", "\"simd\" \"f32\""]);
 }
@@ -172,9 +173,15 @@ fn the_explanation_names_fields_symbols_units_and_work() {
     let place = Place::new("text");
     let output = place.etalon(&["explain", "sod", "--dim", "2", "--backend", "simd"]);
     let text = stdout(&output);
-    for part in
-        ["velocity_gradients (pass over neighbours)", "of others", "per pair", "M L^-nu", "density ρ", "simd f64", "total"]
-    {
+    for part in [
+        "velocity_gradients (pass over neighbours)",
+        "of others",
+        "per pair",
+        "M L^-nu",
+        "density ρ",
+        "simd f64",
+        "total",
+    ] {
         assert!(text.contains(part), "{part} is missing:\n{text}");
     }
     assert!(!text.contains("wgpu") && !text.contains('\\'), "{text}");
@@ -307,7 +314,8 @@ fn what_the_reader_of_the_command_line_refuses_exits_with_2() {
 
 /// Everything below a folder with its contents.
 fn contents(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
-    let mut all: Vec<_> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).map(|p| (p.clone(), fs::read(&p).unwrap())).collect();
+    let mut all: Vec<_> =
+        fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).map(|p| (p.clone(), fs::read(&p).unwrap())).collect();
     all.sort();
     all
 }

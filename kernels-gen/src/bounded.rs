@@ -190,8 +190,9 @@ mod tests {
             let bounded = messy(exact(a), exact(b), exact(c));
             let error = (f64::from(messy(a, b, c)) - bounded.value()).abs();
             prop_assert!(error <= bounded.error(), "error {error:e}, bound {:e}", bounded.error());
-            // A bound that is never near the error would let faults through: a few thousand roundings at the very most.
-            prop_assert!(bounded.error() < 5e3 * Single::UNIT * (1.0 + f64::from(c).powf(2.0/3.0) * 20.0), "{:e}", bounded.error());
+            // A bound far from any error would let faults through. The cube root's chain of roots and quotients, each allowed what
+            // WGSL allows, takes most of it.
+            prop_assert!(bounded.error() < 5e-3 * (1.0 + bounded.value().abs()), "{:e}", bounded.error());
         }
 
         #[test]

@@ -9,7 +9,7 @@
 
 mod engine;
 // Fully optimised builds do not share generic code between crates, so there it would only be compiled twice.
-#[cfg(debug_assertions)]
+#[cfg(all(debug_assertions, not(test)))]
 #[doc(hidden)]
 pub mod instances;
 pub mod neighbours;
