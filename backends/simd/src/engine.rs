@@ -219,7 +219,10 @@ impl<T: Number, const D: usize> Engine<D> for LaneEngine<T, D> {
         for (axis, &slot) in slots.iter().enumerate() {
             let length = self.length[axis];
             let store = &self.store;
-            let far = |d: T| !(d.to_f64().abs() * 2.0 < length);
+            let far = |d: T| {
+                let twice = 2.0 * d.to_f64().abs();
+                twice.is_nan() || twice >= length
+            };
             if store.column(slot).any(far) {
                 return Err(EngineError(format!(
                     "a particle moves by more than half the box along axis {axis} in one step; the run has gone wrong"

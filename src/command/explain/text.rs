@@ -95,7 +95,7 @@ fn fields(out: &mut String, explanation: &Explanation) {
             Rank::Symmetric => "symmetric matrix",
             Rank::Matrix => "matrix",
         };
-        line(out, &format!("  {:<29}{:<18}{:<18}{}", field.name, symbol(field.symbol), field.unit, rank));
+        line(out, &format!("  {:<29}{:<18}{:<20}{}", field.name, symbol(field.symbol), field.unit, rank));
     }
 }
 
