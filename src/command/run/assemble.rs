@@ -99,8 +99,11 @@ fn scene(of: &Circumstances) -> Scene {
         setting("Time integration", "kick, drift, kick; Courant number 0.2 on h/c".into()),
     ];
     if let Some(bytes) = machine::peak_memory() {
-        let each = bytes as f64 / of.particles as f64;
-        let text = format!("{:.0} MiB, {each:.0} bytes a particle", bytes as f64 / f64::from(1 << 20));
+        let mut text = format!("{:.0} MiB", bytes as f64 / f64::from(1 << 20));
+        // In a smaller run the program itself and the drivers outweigh the particles.
+        if of.particles >= 100_000 {
+            text += &format!(", {:.0} bytes a particle", bytes as f64 / of.particles as f64);
+        }
         settings.push(setting("Peak memory of the program", text));
     }
     Scene {
