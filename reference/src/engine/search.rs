@@ -25,13 +25,13 @@ impl PlainNeighbours {
         self.start.push(self.members.len());
     }
 
-    /// Sorts the particles into cells no smaller than the largest reach and looks into the cells around each.
+    /// Sorts the particles into cells, looks from each into the cells within its own reach, and tells those it finds there.
     ///
     /// `reach` is the support radius of each particle; a pair are neighbours if they are closer than the larger reach of the two.
     pub fn find<const D: usize>(coordinates: &[Vec<u64>; D], reach: &[f64], length: [f64; D]) -> Self {
         let count = reach.len();
-        let largest = reach.iter().copied().fold(0.0, f64::max);
-        let cells: [usize; D] = std::array::from_fn(|axis| ((length[axis] / largest) as usize).clamp(1, 1 << (60 / D)));
+        let edge = cell_edge(reach);
+        let cells: [usize; D] = std::array::from_fn(|axis| ((length[axis] / edge) as usize).clamp(1, 1 << (60 / D)));
         let cell_of = |particle: usize| -> [usize; D] {
             std::array::from_fn(|axis| ((coordinates[axis][particle] as u128 * cells[axis] as u128) >> 64) as usize)
         };
@@ -39,30 +39,48 @@ impl PlainNeighbours {
         let mut sorted: Vec<(usize, u32)> = (0..count).map(|i| (key(cell_of(i)), i as u32)).collect();
         sorted.sort_unstable();
 
-        let mut found = PlainNeighbours { start: vec![0], members: Vec::new() };
+        let mut lists = vec![Vec::new(); count];
         for a in 0..count {
             let home = cell_of(a);
-            let mut list = Vec::new();
-            let mut visited = Vec::new();
-            for offset in 0..3_usize.pow(D as u32) {
+            // So many cells to either side, but no axis is gone round twice.
+            let far: [usize; D] =
+                std::array::from_fn(|axis| (reach[a] / length[axis] * cells[axis] as f64) as usize + 1);
+            let wide: [usize; D] = std::array::from_fn(|axis| (2 * far[axis] + 1).min(cells[axis]));
+            for offset in 0..wide.iter().product() {
+                let mut rest = offset;
                 let cell = std::array::from_fn(|axis| {
-                    let step = offset / 3_usize.pow(axis as u32) % 3;
-                    (home[axis] + cells[axis] + step - 1) % cells[axis]
+                    let step = rest % wide[axis];
+                    rest /= wide[axis];
+                    (home[axis] + step + (cells[axis] - 1) * far[axis]) % cells[axis]
                 });
                 let wanted = key(cell);
-                // With one or two cells along an axis, different offsets lead to the same cell.
-                if visited.contains(&wanted) {
-                    continue;
-                }
-                visited.push(wanted);
                 let from = sorted.partition_point(|&(k, _)| k < wanted);
-                let members = sorted[from..].iter().take_while(|&&(k, _)| k == wanted);
-                list.extend(members.map(|&(_, b)| b).filter(|&b| near(coordinates, reach, length, a, b as usize)));
+                for &(_, b) in sorted[from..].iter().take_while(|&&(k, _)| k == wanted) {
+                    let r_squared = distance_squared(coordinates, length, a, b as usize);
+                    if a != b as usize && r_squared < reach[a].powi(2) {
+                        lists[a].push(b);
+                        // A neighbour that reaches as far finds this particle by itself.
+                        if r_squared >= reach[b as usize].powi(2) {
+                            lists[b as usize].push(a as u32);
+                        }
+                    }
+                }
             }
-            found.push(list);
         }
+        let mut found = PlainNeighbours { start: vec![0], members: Vec::new() };
+        lists.into_iter().for_each(|list| found.push(list));
         found
     }
+}
+
+/// Cells as wide as the middle reach, which suits a gas of two densities; no less than a quarter of the largest, so that nobody
+/// looks into more than some hundred cells.
+fn cell_edge(reach: &[f64]) -> f64 {
+    let mut sorted = reach.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let middle = sorted.get(reach.len() / 2).copied().unwrap_or(1.0);
+    let largest = sorted.last().copied().unwrap_or(1.0);
+    middle.max(0.25 * largest)
 }
 
 /// Neighbours by looking at every pair.
@@ -75,9 +93,11 @@ pub fn brute_force<const D: usize>(coordinates: &[Vec<u64>; D], reach: &[f64], l
 }
 
 fn near<const D: usize>(coordinates: &[Vec<u64>; D], reach: &[f64], length: [f64; D], a: usize, b: usize) -> bool {
-    let r_squared: f64 =
-        (0..D).map(|axis| separation(coordinates[axis][a], coordinates[axis][b], length[axis]).powi(2)).sum();
-    a != b && r_squared < reach[a].max(reach[b]).powi(2)
+    a != b && distance_squared(coordinates, length, a, b) < reach[a].max(reach[b]).powi(2)
+}
+
+fn distance_squared<const D: usize>(coordinates: &[Vec<u64>; D], length: [f64; D], a: usize, b: usize) -> f64 {
+    (0..D).map(|axis| separation(coordinates[axis][a], coordinates[axis][b], length[axis]).powi(2)).sum()
 }
 
 #[cfg(test)]

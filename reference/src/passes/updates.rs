@@ -75,8 +75,10 @@ impl<const D: usize> Update<D> for KickDrift {
         let ball = R::lit(support_volume(D, self.0.kernel.support()));
         let neighbours = effective_neighbours::<R, D>(own.inverse_h, own.volume, ball);
         let settled = settled_smoothing_length::<R, D>(own.h, neighbours, R::lit(self.0.neighbours));
+        // A wall does not change, and at its outer edge neighbours are missing that were never there: it keeps its smoothing length.
+        let moves = own.mobility.gt(R::zero());
         KickDriftOut {
-            h: next_smoothing_length(settled, own.settled),
+            h: R::pick(moves, next_smoothing_length(settled, own.settled), own.h),
             settled,
             velocity: middle + half_kick,
             internal_energy: own.energy_rate.mul_add(time_step, own.internal_energy),

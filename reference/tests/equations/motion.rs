@@ -274,6 +274,7 @@ fn kick_drift_kick_of_whole_numbers() {
     // h, settled h, v, u, old a, old du/dt, dx
     assert_eq!(kick(1.0), [0.8, 1.0, 12.0, 104.0, 4.0, 8.0, 5.5]);
     assert_eq!(kick(0.0)[6], 0.0, "a wall stays where it is");
+    assert_eq!(kick(0.0)[0], 2.0, "a wall keeps its smoothing length");
     // v, u, a, du/dt, old a, old du/dt
     let own = record(&[12.0, 104.0, 6.0, 2.0, 4.0, 8.0]);
     assert_eq!(numbers(<Correct as Update<1>>::apply(&Correct, &own, 0.5)), [12.5, 102.5]);
