@@ -69,19 +69,13 @@ impl<T: Number> Store<T> {
         });
     }
 
-    /// The particles in another order: place `i` gets the particle at `order[i]`.
+    /// The particles in another order: place `i` gets the particle at `order[i]`. One component after the other, so that no
+    /// more than one is kept twice.
     pub fn permute(&mut self, order: &[u32]) {
-        let (len, count) = (self.block_len(), self.count);
-        let mut sorted = vec![T::one(); self.blocks.len()];
-        sorted.par_chunks_mut(len).enumerate().for_each(|(block, values)| {
-            let first = block * BLOCK;
-            for k in 0..BLOCK.min(count - first) {
-                let source = order[first + k] as usize;
-                for slot in 0..self.width {
-                    values[slot * BLOCK + k] = self.at(slot, source);
-                }
-            }
-        });
-        self.blocks = sorted;
+        let mut sorted = Vec::with_capacity(self.count);
+        for slot in 0..self.width {
+            order.par_iter().map(|&source| self.at(slot, source as usize)).collect_into_vec(&mut sorted);
+            self.set_column(slot, |place| sorted[place]);
+        }
     }
 }

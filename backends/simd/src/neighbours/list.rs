@@ -185,7 +185,10 @@ impl Segment {
     #[cold]
     #[inline(never)]
     fn grow(&mut self, room: usize) -> Result<(), TryReserveError> {
-        // An eighth more than needed, so that growing to the final size copies a bounded multiple of it.
+        // As much as the segment will hold in all if it goes on as it began, and an eighth more: most grow once or twice.
+        let targets = self.particles().max(1);
+        let foreseen = self.pairs() / targets * SEGMENT;
+        let room = room.max(foreseen);
         let room = room + room / 8;
         self.indices.try_reserve_exact(room - self.indices.len())?;
         self.indices.resize(room, 0);
