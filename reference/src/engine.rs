@@ -20,6 +20,11 @@ impl EngineError {
     }
 }
 
+/// The smaller of two numbers, and NaN if either is: a state that is not finite must not hide behind one that is.
+pub fn smaller(a: f64, b: f64) -> f64 {
+    if b < a || b.is_nan() { b } else { a }
+}
+
 /// Something that holds particles and runs passes over them: the scalar reference, vector lanes, a graphics device.
 ///
 /// Values go in and out as `f64` in the particles' original order, whatever the engine does inside.
@@ -34,7 +39,7 @@ pub trait Engine<const D: usize> {
     fn run_update<U: Update<D>>(&mut self, update: &U, time_step: f64) -> Result<(), EngineError>;
     /// Moves every particle by its displacement.
     fn drift(&mut self) -> Result<(), EngineError>;
-    /// The smallest value of a scalar field.
+    /// The smallest value of a scalar field; NaN if any is, infinite if there are none.
     fn minimum(&mut self, field: Field) -> Result<f64, EngineError>;
     /// One component of a field, by particle.
     fn read(&mut self, component: Component) -> Result<Vec<f64>, EngineError>;

@@ -41,7 +41,7 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
         let mut simulation = Simulation { engine, physics, pipeline, time: 0.0, steps: 0, next_step: 0.0 };
         for _ in 0..10 {
             simulation.forces()?;
-            // With a step of length zero and no rates yet this changes nothing but the smoothing length.
+            // With a step of length zero this changes nothing but the smoothing length.
             simulation.engine.run_update(&KickDrift(physics), 0.0)?;
         }
         simulation.forces()?;
@@ -59,13 +59,14 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
     /// One step, no further than `until`; returns its length.
     pub fn step(&mut self, until: f64) -> Result<f64, EngineError> {
         let rest = until - self.time;
-        let step = self.next_step.min(rest);
-        if step.is_nan() || step <= SHORTEST_STEP * self.time.max(rest) {
+        if self.next_step.is_nan() || self.next_step <= SHORTEST_STEP * self.time {
             return Err(EngineError(format!(
-                "the time step has shrunk to {step:e} at time {}; a particle's state is not finite or changes too fast",
-                self.time
+                "the time step has shrunk to {:e} at time {}; a particle's state is not finite or changes too fast",
+                self.next_step, self.time
             )));
         }
+        // What would be left over would be no step.
+        let step = if rest - self.next_step <= SHORTEST_STEP * until { rest } else { self.next_step };
         self.engine.run_update(&KickDrift(self.physics), step)?;
         self.engine.drift()?;
         self.forces()?;

@@ -1,16 +1,17 @@
 //! The command line, as typed.
 
-use super::choices::{Backend, Precision, SceneName, Start};
+use super::choices::{Backend, Precision, SceneName, Start, Target};
 use clap::{Args, Parser, Subcommand};
 use etalon_reference::schemes::{Dissipation, GradH, Kernel};
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
-  etalon run sod                          3-D, about a minute on 2 cores; report in etalon-out/sod-3d
+  etalon run sod                          3-D, a minute or two on 2 cores; report in etalon-out/sod-3d
   etalon run sod --dim 1 --n 1000         1-D, a second
   etalon run sod --backend simd --precision f32 --alone --n 1e6
   etalon explain sod --scheme AV          passes, fields, memory and work of a step
+  etalon emit sod --target wgsl --out DIR  its kernels as text, to read or to port
   etalon bench                            speed of a step on one core
 
 Exit code: 0 if all is well, 1 if a comparison failed its tolerance or a run broke down, 2 for bad input.";
@@ -37,6 +38,8 @@ pub enum Command {
     },
     /// Show what a scene computes: passes, fields, memory, operations per pair
     Explain(ExplainArguments),
+    /// Print the kernels of a scene in another language, to read or to port
+    Emit(EmitArguments),
     /// Measure the speed of a complete step
     Bench(BenchArguments),
 }
@@ -49,7 +52,7 @@ pub struct SceneArguments {
     /// Dimensions: 1, 2 or 3
     #[arg(long, value_name = "D", default_value = "3", value_parser = dimension, allow_negative_numbers = true)]
     pub dim: usize,
-    /// About how many particles, boundary layers not counted [default: as many as take seconds]
+    /// About how many particles, boundary layers not counted [default: 450 in 1-D, 6000 in 2-D, 11000 in 3-D]
     #[arg(long, value_parser = count, allow_negative_numbers = true)]
     pub n: Option<usize>,
     /// Dissipation scheme: AV, AVSLR, AVSLRB, AVSLRB2 or AVSLRB2F
@@ -102,7 +105,7 @@ pub struct RunArguments {
     /// Graphics adapter, by a part of its name [default: hardware before software]
     #[arg(long, value_name = "NAME")]
     pub adapter: Option<String>,
-    /// Folder of the report; one that is there is replaced [default: etalon-out/SCENE-Dd]
+    /// Folder of the report; a report that is there is replaced, any other folder refused [default: etalon-out/SCENE-Dd]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Print report.json instead of the table
@@ -119,6 +122,26 @@ pub struct ExplainArguments {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// `etalon emit`.
+#[derive(Clone, Debug, Args)]
+pub struct EmitArguments {
+    /// What to print.
+    #[command(flatten)]
+    pub scene: SceneArguments,
+    /// The language: wgsl or c
+    #[arg(long, value_name = "NAME", default_value = "wgsl")]
+    pub target: Target,
+    /// One pass only, by its name in `etalon explain` [default: all of a step]
+    #[arg(long, value_name = "NAME")]
+    pub pass: Option<String>,
+    /// Write a file for each pass into this folder instead of printing
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace files of these names that are there
+    #[arg(long, requires = "out")]
+    pub replace: bool,
 }
 
 /// `etalon bench`.

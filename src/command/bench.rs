@@ -55,9 +55,9 @@ impl Measured {
     fn updates_per_second(&self) -> f64 {
         1e9 / self.nanoseconds
     }
-    /// Per core and GFLOP/s of its peak.
+    /// Per core and GFLOP/s of its peak; threads beyond the hardware's are no cores.
     fn updates_per_gflop(&self) -> f64 {
-        self.updates_per_second() / (self.threads as f64 * self.peak_gflops)
+        self.updates_per_second() / (self.threads.min(machine::hardware_threads()) as f64 * self.peak_gflops)
     }
 }
 

@@ -57,6 +57,16 @@ choice! {
 }
 
 choice! {
+    /// A language that kernels are printed in.
+    Target, "target" {
+        /// The shading language of WebGPU: whole shaders, with their bindings and the loop over neighbours.
+        Wgsl = "wgsl",
+        /// C99: the bodies of a pass as functions.
+        C = "c",
+    }
+}
+
+choice! {
     /// How many digits it computes with.
     Precision, "precision" {
         /// 32-bit floats.

@@ -40,13 +40,13 @@ impl Memory {
                 records: 0.0,
                 neighbours: (neighbours * 4.0) * 1.5 + 8.0,
             },
-            // Blocks, copied while they are sorted. Records hold coordinates and fields, padded to whole groups of four words.
+            // Blocks, sorted one component at a time. Records hold coordinates and fields, padded to whole groups of four words.
             Backend::Simd => Memory {
                 fields: numbers * size,
-                copy: numbers * size,
+                copy: size,
                 places: 2.0 * (axes * size + 4.0) + 24.0,
                 records: widest(&|f| (D + components(&f.other, D).len()).next_multiple_of(4)) * size,
-                neighbours: neighbours * 4.0 * 1.25 + 4.0,
+                neighbours: neighbours * 4.0 * 1.125 + 4.0,
             },
             // Buffers on the adapter, none copied.
             Backend::Wgpu => Memory {
@@ -100,13 +100,14 @@ mod tests {
     use etalon_reference::scenes::sod::Sod;
 
     #[test]
-    fn a_particle_of_the_usual_step_fits_into_a_kilobyte_with_lanes() {
+    fn a_particle_of_the_usual_step_fits_into_a_kilobyte_in_single_precision() {
         let physics = Sod::standard(3).physics();
         let pipeline = Pipeline::of_scene::<3>(&physics);
         let single = Memory::of::<3>(Backend::Simd, Precision::Single, &pipeline, 100.0).total();
         let double = Memory::of::<3>(Backend::Simd, Precision::Double, &pipeline, 100.0).total();
-        // The list of neighbours has the same four bytes an entry in either precision.
-        assert!(single < double && double < 2.0 * single, "{single} and {double} bytes");
+        assert!(single < 1000.0, "{single} bytes in single precision");
+        // The list of neighbours has the same four bytes an entry in either precision; all else doubles.
+        assert!(single < double && double < 1200.0, "{double} bytes in double precision");
     }
 
     #[test]

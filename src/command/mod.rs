@@ -1,10 +1,11 @@
-//! The program `etalon`: `run`, `scenes`, `explain`, `bench`.
+//! The program `etalon`: `run`, `scenes`, `explain`, `emit`, `bench`.
 //!
 //! Results go to stdout, progress and errors to stderr. Nothing is written to disk before it is complete.
 
 mod arguments;
 mod bench;
 mod choices;
+mod emit;
 mod explain;
 mod failure;
 mod machine;
@@ -34,6 +35,7 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Scenes { json } => scenes::scenes(json).map(Done::passed),
         Command::Explain(arguments) => explain::explain(&arguments).map(Done::passed),
+        Command::Emit(arguments) => emit::emit(&arguments).map(Done::passed),
         Command::Bench(arguments) => bench::bench(&arguments).map(Done::passed),
     };
     match done {
@@ -88,8 +90,8 @@ fn refused(error: &clap::Error) -> ExitCode {
     {
         // `--n <N>` and `<SCENE>`, as users write them.
         let option = argument.split(' ').next().filter(|option| option.starts_with('-'));
-        let given = option.map_or_else(|| format!("`{value}`"), |option| format!("{option} {value}"));
-        return say(&Failure::BadInput(format!("{given}: {reason}")));
+        let sentence = option.map_or_else(|| reason.to_string(), |option| format!("{option} {value}: {reason}"));
+        return say(&Failure::BadInput(sentence));
     }
     // Help and version are no errors; clap knows where they go.
     if error.print().is_err() {

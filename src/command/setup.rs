@@ -3,6 +3,7 @@
 use super::arguments::SceneArguments;
 use super::choices::Start;
 use super::failure::Failure;
+use crate::report::plain;
 use etalon_kernels_gen::lanes::{available_levels, level_name};
 use etalon_reference::scenes::sod::{self, Sod};
 use etalon_reference::schemes::Viscosity;
@@ -35,6 +36,11 @@ impl Setup {
             grad_h: arguments.grad_h,
         };
         let setup = Setup { dimension: arguments.dim, sod, end_time: arguments.end_time };
+        match setup.dimension {
+            1 => sod.check::<1>(),
+            2 => sod.check::<2>(),
+            _ => sod.check::<3>(),
+        }?;
         setup.check_end_time()?;
         Ok(setup)
     }
@@ -52,8 +58,10 @@ impl Setup {
         let last = reaches(left.map(|w| w.head()), room[0]).min(reaches(right.map(|w| w.head()), room[1]));
         if given > last {
             return Err(Failure::BadInput(format!(
-                "--end-time {given}: a wave reaches the end of the tube at t = {last:.4}, and there is no exact solution after \
-                 that; give a smaller number"
+                "--end-time {given}: with --gamma {} a wave reaches the end of the tube at t = {}, and there is no exact solution \
+                 after that; give a smaller number",
+                plain(self.sod.gamma),
+                plain(last)
             )));
         }
         Ok(())

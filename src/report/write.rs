@@ -64,7 +64,7 @@ pub fn check_destination(folder: &Path) -> Result<(), ReportError> {
     }
     // Of the link itself, not of what it points to: replacing a link would leave its target behind.
     match fs::symlink_metadata(folder) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return check_writable(folder),
         Err(error) => return Err(ReportError::io("look at", folder)(error)),
         Ok(metadata) if metadata.is_dir() => {}
         Ok(_) => return occupied("exists and is not a folder".into()),
@@ -74,7 +74,7 @@ pub fn check_destination(folder: &Path) -> Result<(), ReportError> {
         names.push(entry.map_err(ReportError::io("list", folder))?.file_name());
     }
     if names.is_empty() {
-        return Ok(());
+        return check_writable(folder);
     }
     let known = fs::read_to_string(folder.join(JSON)).ok().and_then(|text| envelope(&text).ok());
     let Some(known) = known else {
@@ -82,8 +82,20 @@ pub fn check_destination(folder: &Path) -> Result<(), ReportError> {
     };
     match names.iter().find(|name| !known.files.iter().any(|file| name.to_str() == Some(file))) {
         Some(stranger) => occupied(format!("holds {}, which is not part of the report there", stranger.display())),
-        None => Ok(()),
+        None => check_writable(folder),
     }
+}
+
+/// Whether a folder can be made beside `folder`, or where its nearest parent is: a folder is made there and removed.
+fn check_writable(folder: &Path) -> Result<(), ReportError> {
+    let parent =
+        |path: &Path| path.parent().map(|p| if p.as_os_str().is_empty() { Path::new(".") } else { p }.to_owned());
+    let mut place = parent(folder);
+    while let Some(path) = place.as_deref().filter(|path| fs::symlink_metadata(path).is_err()) {
+        place = parent(path);
+    }
+    let probe = Temporary::beside(&place.unwrap_or_else(|| PathBuf::from("/")).join("etalon"), "probe")?;
+    fs::create_dir(&probe.0).map_err(ReportError::io("create a folder beside", folder))
 }
 
 /// Moves `fresh` to `folder`; what was there is removed last, and put back if the move fails.

@@ -7,7 +7,7 @@ use crate::sweep::{BlockUpdate, InDimension, Inputs, Layout, MOST, SegmentSweep,
 use crate::timing::Timings;
 use etalon_kernels_gen::lanes::dispatch;
 use etalon_kernels_gen::{Component, Field, Footprint, Pass, Update, components};
-use etalon_reference::engine::{Engine, EngineError};
+use etalon_reference::engine::{Engine, EngineError, smaller};
 use etalon_reference::fields;
 use etalon_reference::particles::ParticleSet;
 use fearless_simd::Level;
@@ -238,7 +238,6 @@ impl<T: Number, const D: usize> Engine<D> for LaneEngine<T, D> {
 
     fn minimum(&mut self, field: Field) -> Result<f64, EngineError> {
         let slot = self.slot(Component { field, index: 0 })?;
-        let smaller = |a: f64, b: f64| if b < a || b.is_nan() { b } else { a };
         Ok(self.store.column(slot).map(T::to_f64).reduce(|| f64::INFINITY, smaller))
     }
 

@@ -1,6 +1,6 @@
 //! The scalar reference: direct loops over particles and their neighbours, in any scalar type.
 
-use super::{Engine, EngineError, PlainNeighbours};
+use super::{Engine, EngineError, PlainNeighbours, smaller};
 use crate::domain::{moved, separation};
 use crate::fields;
 use crate::particles::ParticleSet;
@@ -207,7 +207,7 @@ impl<T: Scalar, const D: usize> Engine<D> for PlainEngine<T, D> {
     }
 
     fn minimum(&mut self, field: Field) -> Result<f64, EngineError> {
-        Ok(self.read_scalar(field)?.into_iter().fold(f64::INFINITY, f64::min))
+        Ok(self.read_scalar(field)?.into_iter().fold(f64::INFINITY, smaller))
     }
 
     fn read(&mut self, component: Component) -> Result<Vec<f64>, EngineError> {

@@ -12,6 +12,13 @@ use crate::report::plain;
 use etalon_reference::norms::{NormError, l1_error, l2_error, max_error};
 use etalon_reference::scenes::sod;
 
+/// The momentum that the fixed layers give may differ so much from their pressure times area and time.
+const PUSH: f64 = 0.02;
+/// Momentum across the tube, scaled by the sum of all magnitudes.
+const ACROSS: f64 = 1e-3;
+/// Energy that appears or goes, as a fraction.
+const ENERGY: f64 = 5e-4;
+
 /// Particles shown in plots.
 const SHOWN: usize = 1200;
 
@@ -70,14 +77,18 @@ pub fn conservation(run: &Finished, dimension: usize) -> Vec<Conserved> {
         },
         Conserved {
             quantity: "momentum along the tube".into(),
-            scaled_drift: drift(0),
-            tolerance: None,
+            scaled_drift: (gained - push) / push,
+            tolerance: Some(Tolerance::new(
+                PUSH,
+                "the fixed layers are particles, and push with the pressure that sums over them give: within 0.5 % of the gas at rest \
+                 in every start that was tried",
+            )),
             note: Some(format!(
                 "not conserved: the fixed layers push with the pressure of the gas at rest, P_L − P_R = {} on an area of {}; by t = {} that \
-                 gives the moving particles a momentum of {}, and they have {}",
+                 gives the moving particles a momentum of {}, and they have {}; the number is the difference in units of the push",
                 plain(sod::PRESSURE[0] - sod::PRESSURE[1]),
                 plain(area),
-                run.time,
+                plain(run.time),
                 plain(push),
                 plain(gained)
             )),
@@ -87,7 +98,10 @@ pub fn conservation(run: &Finished, dimension: usize) -> Vec<Conserved> {
         all.push(Conserved {
             quantity: "momentum across the tube".into(),
             scaled_drift: (1..dimension).map(|axis| drift(axis).abs()).fold(0.0, f64::max),
-            tolerance: None,
+            tolerance: Some(Tolerance::new(
+                ACROSS,
+                "what the fixed layers take: rounding where the start is regular across the tube, 7e-5 of all momenta where it is a glass",
+            )),
             note: Some(
                 "among moving particles it is conserved to rounding; the fixed layers at both ends take what they are given".into(),
             ),
@@ -96,7 +110,10 @@ pub fn conservation(run: &Finished, dimension: usize) -> Vec<Conserved> {
     all.push(Conserved {
         quantity: "energy".into(),
         scaled_drift: (end.energy - start.energy) / start.energy,
-        tolerance: None,
+        tolerance: Some(Tolerance::new(
+            ENERGY,
+            "four times what 100 particles in 1-D show; it falls with the step, so with more particles",
+        )),
         note: Some(
             "the equations conserve it at every instant; the integrator is of second order in the step, and the fixed layers \
              keep the share of the pairs they take part in"

@@ -65,12 +65,7 @@ pub fn run(arguments: &RunArguments) -> Result<Done, Failure> {
     });
     report::check_destination(&folder)?;
     let pool = setup::threads(arguments.threads)?;
-    let wanted = plan.combinations.iter().any(|(backend, _)| *backend == Backend::Wgpu);
-    let graphics = Graphics::find(arguments.adapter.as_deref(), wanted);
-    if let Some(reason) = graphics.absent().filter(|_| plan.wgpu_required) {
-        return Err(Failure::BadInput(reason.to_string()));
-    }
-    let session = Session { setup, plan, level, graphics, arguments, folder: &folder };
+    let session = Session { setup, plan, level, arguments, folder: &folder };
     pool.install(|| match setup.dimension {
         1 => session.run::<1>(),
         2 => session.run::<2>(),
@@ -83,7 +78,6 @@ struct Session<'a> {
     setup: Setup,
     plan: Plan,
     level: Level,
-    graphics: Graphics,
     arguments: &'a RunArguments,
     folder: &'a Path,
 }
@@ -104,6 +98,8 @@ impl Session<'_> {
             |(backend, precision): Combination| Memory::of::<D>(backend, precision, &pipeline, neighbours).total();
         let largest = self.plan.combinations.iter().map(|c| memory(*c)).fold(0.0, f64::max);
         memory::check(self.setup.sod.particles, largest + memory::beside::<D>())?;
+        // Drivers are opened once all else is known to be right: some talk while they start.
+        let graphics = self.graphics()?;
 
         let set = self.particles::<D>()?;
         let task = Task {
@@ -120,13 +116,13 @@ impl Session<'_> {
         let mut runs = Vec::new();
         for &combination in &self.plan.combinations {
             let (backend, precision) = combination;
-            if let (Backend::Wgpu, Some(reason)) = (backend, self.graphics.absent()) {
+            if let (Backend::Wgpu, Some(reason)) = (backend, graphics.absent()) {
                 note(&format!("{} skipped: {reason}", label(combination)));
                 runs.push(Run::skipped(backend.name(), precision.name(), reason));
                 continue;
             }
             let progress = Progress::new(&label(combination), self.setup.end_time, true);
-            let finished = task.run(combination, &set, &self.graphics, progress)?;
+            let finished = task.run(combination, &set, &graphics, progress)?;
             let reference = baseline.as_ref().filter(|_| combination != REFERENCE);
             let mut measured = self.measure(combination, &finished, reference, set.len(), peak)?;
             measured.bytes_per_particle = memory(combination);
@@ -152,7 +148,7 @@ impl Session<'_> {
             plan: &self.plan,
             arguments: self.arguments,
             folder: self.folder,
-            graphics: &self.graphics,
+            graphics: &graphics,
             level: self.level,
             peak,
             particles: set.len(),
@@ -160,6 +156,16 @@ impl Session<'_> {
             runs,
         });
         self.finish(&report, kept.as_ref())
+    }
+
+    /// The adapter, if one is needed; an error if it was asked for and is not there.
+    fn graphics(&self) -> Result<Graphics, Failure> {
+        let wanted = self.plan.combinations.iter().any(|(backend, _)| *backend == Backend::Wgpu);
+        let graphics = Graphics::find(self.arguments.adapter.as_deref(), wanted);
+        match graphics.absent().filter(|_| self.plan.wgpu_required) {
+            Some(reason) => Err(Failure::BadInput(reason.to_string())),
+            None => Ok(graphics),
+        }
     }
 
     /// The initial particles; a glass is relaxed on the vector engine.

@@ -1,5 +1,6 @@
 //! Progress on stderr: a bar on a terminal, one line a run elsewhere.
 
+use crate::report::plain;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 
@@ -36,14 +37,15 @@ impl Progress {
     /// A step was made.
     pub fn step(&mut self, time: f64) {
         self.steps += 1;
-        self.bar.set_message(format!("t = {time:.4}, step {}", self.steps));
+        self.bar.set_message(format!("t = {}, step {}", plain(time), self.steps));
         self.bar.set_position((time / self.end_time * PARTS) as u64);
     }
 
     /// The run is over.
     pub fn done(self, wall_seconds: f64) {
         self.bar.finish_and_clear();
-        note(&format!("{}: {} steps to t = {} in {wall_seconds:.1} s", self.label, self.steps, self.end_time));
+        let (label, steps, end) = (&self.label, self.steps, plain(self.end_time));
+        note(&format!("{label}: {steps} steps to t = {end} in {wall_seconds:.1} s"));
     }
 }
 

@@ -25,6 +25,9 @@ const ROUNDINGS_PER_STEP: f64 = 16.0;
 /// The noise is one sample of what may happen, and a few growing modes can dominate it: another sample may be some times as large.
 const SPREAD: f64 = 4.0;
 
+/// A difference above this is never excused, whatever rounding is found to do: such a flow tells one kernel from another no more.
+const MOST: f64 = 0.01;
+
 /// How far random roundings of one precision carry each field from the reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensitivity {
@@ -34,9 +37,19 @@ pub struct Sensitivity {
     steps: u64,
 }
 
-/// What differences of each field are measured in: the largest magnitude that the reference has.
+/// What differences of each field are measured in: the largest magnitude that the reference has, and for the velocity at least the
+/// largest `sqrt(P / rho)`, which is about the speed of sound: the sums that accelerate a particle cancel terms of that size, so a gas
+/// at rest has velocities that are rounding and nothing else.
 pub fn scales(reference: &Finished) -> [f64; 4] {
-    reference.state.compared().map(|column| column.iter().fold(0.0, |largest: f64, v| largest.max(v.abs())))
+    let columns = reference.state.compared();
+    let column =
+        |name: &str| COMPARED.iter().zip(columns).find(|(n, _)| **n == name).map_or(&[][..], |(_, column)| column);
+    let thermal = column("pressure").iter().zip(column("density")).map(|(p, rho)| (p / rho).sqrt());
+    let thermal = thermal.fold(0.0, f64::max);
+    std::array::from_fn(|k| {
+        let least = if COMPARED[k].starts_with("velocity") { thermal } else { 0.0 };
+        columns[k].iter().fold(least, |largest: f64, v| largest.max(v.abs()))
+    })
 }
 
 /// The spacing of positions in sides of the box: 32 bits beside `f32`, 53 beside `f64`.
@@ -85,10 +98,11 @@ impl Sensitivity {
         };
         // A field that the flow does not disturb is still rounded itself.
         let value = (SPREAD * self.response[field]).max(self.precision.unit_roundoff());
+        let capped = if value > MOST { format!("{MOST} at most, and less than ") } else { String::new() };
         Tolerance::new(
-            value,
+            value.min(MOST),
             format!(
-                "{SPREAD} × {}, which is how far {} goes in the reference itself when each of its {} steps changes every particle at \
+                "{capped}{SPREAD} × {}, which is how far {} goes in the reference itself when each of its {} steps changes every particle at \
                  random by √{ROUNDINGS_PER_STEP} × {unit} (about {ROUNDINGS_PER_STEP} roundings) and its position by {place} of the box; \
                  {SPREAD} for the spread between one sample of such noise and another",
                 plain(self.response[field]),

@@ -11,7 +11,7 @@ use super::{NO_FIELD, WgpuEngine, single, told};
 use crate::{Extremes, Result as DeviceResult, frame};
 
 /// What a generated text says of itself when it is made for a device rather than for a reader.
-const HEAD: Header<'static> = Header { command: "the graphics backend", definition: "reference/src/passes" };
+const HEAD: Header<'static> = Header { command: "etalon emit --target wgsl", definition: "reference/src/passes" };
 
 impl<const D: usize> WgpuEngine<D> {
     fn slot(&self, component: Component) -> Result<usize, EngineError> {
