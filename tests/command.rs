@@ -1,5 +1,9 @@
 //! The program as users run it: what it prints, what it leaves, how it refuses.
 
+#[path = "command/documented.rs"]
+mod documented;
+
+use documented::Page;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -149,12 +153,13 @@ fn instruction_sets_and_threads_do_not_change_a_bit() {
 #[test]
 fn every_scheme_start_and_dimension_can_be_explained() {
     let place = Place::new("explain");
+    let mut page = Page::read("explain-schema.md");
     for dimension in ["1", "2", "3"] {
         for scheme in ["AV", "AVSLR", "AVSLRB", "AVSLRB2", "AVSLRB2F"] {
             let output = place.etalon(&["explain", "sod", "--dim", dimension, "--scheme", scheme, "--json"]);
             assert_eq!(code(&output), Some(0), "{}", stderr(&output));
             let explained = json(stdout(&output));
-            assert_eq!(explained["schema"], "etalon-explain");
+            page.check(&explained);
             assert_eq!(explained["dimension"].to_string(), dimension);
             let stages = explained["stages"].as_array().unwrap();
             let names: Vec<&str> = stages.iter().filter_map(|s| s["name"].as_str()).collect();
@@ -166,6 +171,7 @@ fn every_scheme_start_and_dimension_can_be_explained() {
             assert!(memory.iter().all(|m| (100.0..4000.0).contains(&m["total"].as_f64().unwrap())), "{memory:?}");
         }
     }
+    page.all_seen();
 }
 
 #[test]
@@ -192,7 +198,9 @@ fn scenes_lists_every_name() {
     let place = Place::new("scenes");
     let text = place.etalon(&["scenes"]);
     let names = json(stdout(&place.etalon(&["scenes", "--json"])));
-    assert_eq!(names["schema"], "etalon-scenes");
+    let mut page = Page::read("scenes-schema.md");
+    page.check(&names);
+    page.all_seen();
     for list in ["schemes", "kernels", "grad_h", "starts", "backends", "precisions"] {
         let names = names[list].as_array().unwrap();
         assert!(!names.is_empty());
@@ -208,6 +216,12 @@ fn a_benchmark_reports_every_figure() {
     let output = place.etalon(&["bench", "--n", "1000", "--steps", "1", "--json"]);
     assert_eq!(code(&output), Some(0), "{}", stderr(&output));
     let bench = json(stdout(&output));
+    let mut page = Page::read("bench-schema.md");
+    page.check(&bench);
+    // Elsewhere the system does not say how much memory was used.
+    if cfg!(target_os = "linux") {
+        page.all_seen();
+    }
     let positive = |value: &Value| assert!(value.as_f64().is_some_and(|v| v > 0.0), "{value} in {bench}");
     positive(&bench["reference"]["nanoseconds_per_update"]);
     assert_eq!(bench["runs"].as_array().unwrap().len(), 2);

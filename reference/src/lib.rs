@@ -7,6 +7,7 @@
 //! - [`scenes`], [`exact`], [`norms`]: what is run and what it is compared with.
 #![forbid(unsafe_code)]
 
+pub mod choice;
 pub mod conformance;
 pub mod domain;
 pub mod engine;

@@ -3,6 +3,7 @@
 //! Each norm takes the measured values, the reference at the same particles, the coordinate that decides which particles
 //! count (x, or a radius), and the closed range of that coordinate. All three lists are in the same order.
 
+use etalon_kernels_gen::equation;
 use num_traits::Float;
 
 /// A list that a norm was given.
@@ -72,13 +73,14 @@ pub enum NormError {
     Overflow,
 }
 
-/// $L_1 = \frac{1}{N_S}\sum_{i\in S}|p_i - p_i^{ref}|$, $S = \{i: d_0 \le d_i \le d_f\}$ (GS25 Eq. 20).
+/// $L_1 = \frac{1}{N_S}\sum_{i\in S}|p_i - p_i^{ref}|$, $S = \{i: d_0 \le d_i \le d_f\}$.
 ///
 /// The mean is over particles, hence weighted by mass if they have equal masses, not by length; it is absolute, in the
 /// units of p, not divided by the reference.
 ///
 /// # Errors
 /// Lists of different lengths, an entry that is not finite, a range that is none, no particle in it.
+#[equation("gs25:20", host)]
 pub fn l1_error<F: Float>(p: &[F], p_ref: &[F], d: &[F], range: (F, F)) -> Result<F, NormError> {
     let differences = differences(p, p_ref, d, range)?;
     finite(mean(differences.iter().copied()))
@@ -167,6 +169,14 @@ mod tests {
         assert_eq!(l1_error(&P, &REFERENCE, &D, (0.1, 0.4)), Ok(0.75));
         assert_eq!(l2_error(&P, &REFERENCE, &D, (0.1, 0.4)), Ok((4.5_f64 / 4.0).sqrt()));
         assert_eq!(max_error(&P, &REFERENCE, &D, (0.1, 0.4)), Ok(2.0));
+    }
+
+    #[test]
+    fn the_ledger_knows_the_norm_as_encoded() {
+        let registered = etalon_kernels_gen::registered();
+        let entry = registered.iter().find(|entry| entry.ids == ["gs25:20"]).expect("registered");
+        assert_eq!(entry.name, "l1_error");
+        assert!(entry.source.contains("mean(differences"), "{}", entry.source);
     }
 
     #[test]

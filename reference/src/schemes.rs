@@ -1,50 +1,6 @@
 //! The choices a scene makes, by the names the papers give them.
 
-use std::fmt;
-use std::str::FromStr;
-
-/// A name that is none of a choice's names.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no {what} `{given}`; choose one of {}", allowed.join(", "))]
-pub struct UnknownName {
-    /// What was to be chosen.
-    pub what: &'static str,
-    /// What was given.
-    pub given: String,
-    /// What there is.
-    pub allowed: Vec<&'static str>,
-}
-
-macro_rules! choice {
-    ($(#[$meta:meta])* $type:ident, $what:literal { $($(#[$variant_meta:meta])* $variant:ident = $name:literal,)* }) => {
-        $(#[$meta])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum $type { $($(#[$variant_meta])* $variant,)* }
-        impl $type {
-            /// Every choice there is.
-            pub const ALL: &'static [$type] = &[$($type::$variant),*];
-            /// The name users write.
-            pub fn name(self) -> &'static str {
-                match self { $($type::$variant => $name),* }
-            }
-        }
-        impl fmt::Display for $type {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.pad(self.name())
-            }
-        }
-        impl FromStr for $type {
-            type Err = UnknownName;
-            fn from_str(given: &str) -> Result<Self, UnknownName> {
-                Self::ALL.iter().copied().find(|c| c.name().eq_ignore_ascii_case(given)).ok_or_else(|| UnknownName {
-                    what: $what,
-                    given: given.to_string(),
-                    allowed: Self::ALL.iter().map(|c| c.name()).collect(),
-                })
-            }
-        }
-    };
-}
+use crate::choice;
 
 choice! {
     /// The dissipation schemes of GS25 Table 1 that need no time-dependent coefficient.

@@ -1,40 +1,7 @@
 //! The names users choose from that are not physics: scene, start, backend, precision.
 
+use etalon_reference::choice;
 use etalon_reference::scenes::Arrangement;
-use etalon_reference::schemes::UnknownName;
-use std::fmt;
-use std::str::FromStr;
-
-macro_rules! choice {
-    ($(#[$meta:meta])* $type:ident, $what:literal { $($(#[$variant_meta:meta])* $variant:ident = $name:literal,)* }) => {
-        $(#[$meta])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum $type { $($(#[$variant_meta])* $variant,)* }
-        impl $type {
-            /// Every choice there is.
-            pub const ALL: &'static [$type] = &[$($type::$variant),*];
-            /// The name users write.
-            pub fn name(self) -> &'static str {
-                match self { $($type::$variant => $name),* }
-            }
-        }
-        impl fmt::Display for $type {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.pad(self.name())
-            }
-        }
-        impl FromStr for $type {
-            type Err = UnknownName;
-            fn from_str(given: &str) -> Result<Self, UnknownName> {
-                Self::ALL.iter().copied().find(|c| c.name().eq_ignore_ascii_case(given)).ok_or_else(|| UnknownName {
-                    what: $what,
-                    given: given.to_string(),
-                    allowed: Self::ALL.iter().map(|c| c.name()).collect(),
-                })
-            }
-        }
-    };
-}
 
 choice! {
     /// A problem that can be run.

@@ -285,14 +285,14 @@ impl Device {
     }
 }
 
-fn choose(
-    found: Vec<(AdapterDescription, wgpu::Adapter)>,
-    preference: &AdapterPreference,
-) -> Result<(AdapterDescription, wgpu::Adapter)> {
+/// The first adapter that the preference accepts.
+fn choose<A>(found: Vec<(AdapterDescription, A)>, preference: &AdapterPreference) -> Result<(AdapterDescription, A)> {
     if found.is_empty() {
         return Err(Error::NoAdapter);
     }
-    let available = found.iter().map(|(description, _)| description.to_string()).collect::<Vec<_>>().join(", ");
+    // Names have commas and parentheses in them, so each goes between backticks.
+    let available = found.iter().map(|(adapter, _)| format!("`{}` ({})", adapter.name, adapter.kind));
+    let available = available.collect::<Vec<_>>().join(", ");
     found
         .into_iter()
         .find(|(description, _)| preference.accepts(description))
@@ -356,12 +356,31 @@ mod tests {
 
     #[test]
     fn no_adapter_is_one_sentence_with_the_remedy() {
-        let error = choose(Vec::new(), &AdapterPreference::Any).unwrap_err();
+        let error = choose(Vec::<(_, ())>::new(), &AdapterPreference::Any).unwrap_err();
         assert_eq!(error, Error::NoAdapter);
         let message = error.to_string();
         assert!(
             message.contains("mesa-vulkan-drivers") && message.contains("--backend simd") && !message.contains('\n')
         );
+    }
+
+    #[test]
+    fn an_adapter_that_is_not_there_is_one_sentence_with_the_remedy_and_those_that_are() {
+        let found = || {
+            vec![
+                (adapter("GeForce", AdapterKind::Discrete), 1),
+                (adapter("llvmpipe (LLVM 15, 256 bits)", AdapterKind::Software), 2),
+            ]
+        };
+        let wanted = |name: &str| AdapterPreference::Named(name.into());
+        let message = choose(found(), &wanted("Arc")).unwrap_err().to_string();
+        assert_eq!(
+            message,
+            "no graphics adapter is named like `Arc` among `GeForce` (discrete), `llvmpipe (LLVM 15, 256 bits)` \
+             (software): name one of these, or a part of its name, with `--adapter` or in ETALON_ADAPTER, or give neither"
+        );
+        assert_eq!(choose(found(), &wanted("llvm")).unwrap().1, 2);
+        assert_eq!(choose(found(), &AdapterPreference::Any).unwrap().1, 1);
     }
 
     #[test]

@@ -12,17 +12,19 @@ pub enum Error {
     NoAdapter,
     /// There are adapters, but none as wanted.
     #[error(
-        "no graphics adapter is {wanted}: the adapters here are {available}; name one of them in ETALON_ADAPTER, or unset it"
+        "no graphics adapter is {wanted} among {available}: name one of these, or a part of its name, with `--adapter` \
+         or in ETALON_ADAPTER, or give neither"
     )]
     AdapterNotFound {
         /// What was asked for, in words.
         wanted: String,
-        /// The adapters that exist, joined by commas.
+        /// The adapters that exist, each with its kind, joined by commas.
         available: String,
     },
     /// The adapter does not offer what WebGPU guarantees.
     #[error(
-        "adapter `{adapter}` offers {offered} for {limit} where {needed} are needed: choose another adapter with ETALON_ADAPTER, or use `--backend simd`"
+        "adapter `{adapter}` offers {offered} for {limit} where {needed} are needed: choose another one with `--adapter` or \
+         ETALON_ADAPTER, or use `--backend simd`"
     )]
     AdapterTooSmall {
         /// Name of the adapter.
@@ -36,7 +38,8 @@ pub enum Error {
     },
     /// The driver refused to open the device.
     #[error(
-        "adapter `{adapter}` could not be opened ({reason}): choose another adapter with ETALON_ADAPTER, or use `--backend simd`"
+        "adapter `{adapter}` could not be opened ({reason}): choose another one with `--adapter` or ETALON_ADAPTER, or use \
+         `--backend simd`"
     )]
     DeviceRefused {
         /// Name of the adapter.
@@ -46,7 +49,8 @@ pub enum Error {
     },
     /// The device went away while in use: reset, unplugged, or its driver crashed.
     #[error(
-        "the graphics device was lost ({reason}): run again, on another adapter (ETALON_ADAPTER) or with `--backend simd`"
+        "the graphics device was lost ({reason}): run again, on another adapter (`--adapter` or ETALON_ADAPTER) or with \
+         `--backend simd`"
     )]
     DeviceLost {
         /// The driver's words.
@@ -61,7 +65,7 @@ pub enum Error {
     /// A buffer would be larger than the adapter can bind.
     #[error(
         "{what} needs {needed} bytes in one storage buffer but the adapter binds at most {limit}: use fewer particles, \
-         an adapter with larger bindings (ETALON_ADAPTER), or `--backend simd`"
+         an adapter with larger bindings (`--adapter` or ETALON_ADAPTER), or `--backend simd`"
     )]
     TooLarge {
         /// What the buffer holds.
@@ -74,7 +78,7 @@ pub enum Error {
     /// The neighbour lists would be longer than the adapter can bind.
     #[error(
         "the neighbour lists have {} entries but the adapter binds at most {limit}: use fewer particles or fewer \
-         neighbours, an adapter with larger bindings (ETALON_ADAPTER), or `--backend simd`",
+         neighbours, an adapter with larger bindings (`--adapter` or ETALON_ADAPTER), or `--backend simd`",
         entries.map_or("more than 4294967294".to_owned(), |entries| entries.to_string())
     )]
     ListTooLong {

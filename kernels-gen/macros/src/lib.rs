@@ -12,7 +12,10 @@ use proc_macro::TokenStream;
 /// `#[equation(unnumbered = "mixed sinc kernel, GS25 section 3")]` for a definition that has no number. An id that the ledger
 /// does not have is a compile error.
 ///
-/// The function is generic over one `R: Real`. In its body `0.5` is a constant of that type, `<` compares lane by lane, and an
+/// `#[equation("gs25:20", host)]` enters a function that is computed on the host alone, from whole lists of particles, such as an
+/// error norm: any function, which stays as it is and runs on no other target.
+///
+/// Any other function is generic over one `R: Real`. In its body `0.5` is a constant of that type, `<` compares lane by lane, and an
 /// `if` that asks for such a comparison picks one of two values, so that the very same function runs on scalars, on vector
 /// lanes and on symbols. `let` gives values the names that they have in generated code. What cannot be translated is refused at
 /// its token. `kernels-gen/syntax/README.md` lists the language.

@@ -1,4 +1,4 @@
-//! The attribute's arguments: where the equation comes from.
+//! The attribute's arguments: where the equation comes from, and whether it is translated.
 
 use crate::errors::Errors;
 use proc_macro2::TokenStream;
@@ -7,7 +7,16 @@ use syn::punctuated::Punctuated;
 use syn::{Ident, LitStr, Token};
 
 const USAGE: &str = "write #[equation(\"gs25:8\")], several ids separated by commas, or, for a definition that has no number, \
-                     #[equation(unnumbered = \"mixed sinc kernel, GS25 section 3\")]";
+                     #[equation(unnumbered = \"mixed sinc kernel, GS25 section 3\")]; for what is computed on the host alone, from \
+                     whole lists of particles, `host` comes last";
+
+/// What the attribute says.
+pub(crate) struct Arguments {
+    /// Where the equation comes from.
+    pub(crate) source: Source,
+    /// Whether the function is entered into the registry as it stands, instead of being translated.
+    pub(crate) host: bool,
+}
 
 /// Where an equation comes from.
 pub(crate) enum Source {
@@ -47,6 +56,7 @@ fn citation(id: &LitStr) -> String {
 enum Argument {
     Id(LitStr),
     Unnumbered(LitStr),
+    Host(Ident),
 }
 
 impl Parse for Argument {
@@ -55,6 +65,9 @@ impl Parse for Argument {
             return input.parse().map(Argument::Id);
         }
         let key: Ident = input.parse().map_err(|error| syn::Error::new(error.span(), USAGE))?;
+        if key == "host" {
+            return Ok(Argument::Host(key));
+        }
         if key != "unnumbered" {
             return Err(syn::Error::new(key.span(), USAGE));
         }
@@ -68,7 +81,7 @@ pub(crate) fn parse(
     attribute: TokenStream,
     check_id: &dyn Fn(&str) -> Result<(), String>,
     errors: &mut Errors,
-) -> Option<Source> {
+) -> Option<Arguments> {
     use syn::parse::Parser;
     let arguments = match Punctuated::<Argument, Token![,]>::parse_terminated.parse2(attribute) {
         Ok(arguments) => arguments,
@@ -79,6 +92,7 @@ pub(crate) fn parse(
     };
     let mut ids: Vec<LitStr> = Vec::new();
     let mut unnumbered: Option<LitStr> = None;
+    let mut host = false;
     for argument in arguments {
         match argument {
             Argument::Id(id) => {
@@ -99,11 +113,17 @@ pub(crate) fn parse(
                 }
                 unnumbered = Some(words);
             }
+            Argument::Host(key) => {
+                if host {
+                    errors.at(&key, "`host` is given twice; keep one");
+                }
+                host = true;
+            }
         }
     }
     match (ids.is_empty(), unnumbered) {
-        (false, None) => Some(Source::Numbered(ids)),
-        (true, Some(words)) => Some(Source::Unnumbered(words)),
+        (false, None) => Some(Arguments { source: Source::Numbered(ids), host }),
+        (true, Some(words)) => Some(Arguments { source: Source::Unnumbered(words), host }),
         (false, Some(words)) => {
             errors.at(words, "a numbered equation is not `unnumbered`; keep one of the two");
             None

@@ -1,21 +1,18 @@
 //! The translated function, with its documentation, its body under the equation's name, and its entry in the registry.
 
 use crate::arguments::Source;
+use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::{AttrStyle, Attribute, Ident, ItemFn, ReturnType, Type};
 
 /// The whole of what the macro puts in place of the function.
-pub(crate) fn function(function: ItemFn, real: &Ident, source: &Source, text: &str) -> proc_macro2::TokenStream {
+pub(crate) fn function(function: ItemFn, real: &Ident, source: &Source, text: &str) -> TokenStream {
     let ItemFn { attrs, vis, sig, block } = function;
-    // `#![allow(..)]` and `//!` inside of the body belong there.
-    let (outer, inner): (Vec<_>, Vec<_>) = attrs.into_iter().partition(|a| matches!(a.style, AttrStyle::Outer));
+    let (outer, inner) = sides(attrs);
     let name = unraw(&sig.ident);
     let label = source.label();
-    let documentation = format!(" {}", source.documentation());
-    let (ids, unnumbered) = match source {
-        Source::Numbered(ids) => (quote!(&[#(#ids),*]), quote!(::core::option::Option::None)),
-        Source::Unnumbered(words) => (quote!(&[]), quote!(::core::option::Option::Some(#words))),
-    };
+    let documentation = documentation(source);
+    let entry = entry(&name, source, text);
     // A closure may say what it returns unless that is `impl Trait`.
     let output = match &sig.output {
         ReturnType::Type(_, ty) if !has_impl(ty) => sig.output.to_token_stream(),
@@ -24,30 +21,72 @@ pub(crate) fn function(function: ItemFn, real: &Ident, source: &Source, text: &s
     // The language has no loops but those over ranges, so clippy must not ask for others.
     quote! {
         #(#outer)*
-        #[doc = ""]
-        #[doc = #documentation]
+        #documentation
         #[inline(always)]
         #[allow(clippy::needless_range_loop)]
         #vis #sig {
             #(#inner)*
-            ::etalon_kernels_gen::__private::inventory::submit! {
-                ::etalon_kernels_gen::__private::EquationEntry {
-                    ids: #ids,
-                    name: #name,
-                    module_path: ::core::module_path!(),
-                    file: ::core::file!(),
-                    line: ::core::line!(),
-                    source: #text,
-                    unnumbered: #unnumbered,
-                }
-            }
+            #entry
             <#real as ::etalon_kernels_gen::Real>::equation(#label, #name, #[inline(always)] || #output #block)
         }
     }
 }
 
+/// The function as it stands, with its entry in the registry.
+pub(crate) fn host(function: ItemFn, source: &Source, text: &str) -> TokenStream {
+    let ItemFn { attrs, vis, sig, block } = function;
+    let (outer, inner) = sides(attrs);
+    let documentation = documentation(source);
+    let entry = entry(&unraw(&sig.ident), source, text);
+    let statements = &block.stmts;
+    quote! {
+        #(#outer)*
+        #documentation
+        #vis #sig {
+            #(#inner)*
+            #entry
+            #(#statements)*
+        }
+    }
+}
+
+/// The attributes above a function, and those inside of its body: `#![allow(..)]` and `//!` belong there.
+fn sides(attributes: Vec<Attribute>) -> (Vec<Attribute>, Vec<Attribute>) {
+    attributes.into_iter().partition(|attribute| matches!(attribute.style, AttrStyle::Outer))
+}
+
+/// A last paragraph of documentation.
+fn documentation(source: &Source) -> TokenStream {
+    let line = format!(" {}", source.documentation());
+    quote! {
+        #[doc = ""]
+        #[doc = #line]
+    }
+}
+
+/// What puts the function into the registry.
+fn entry(name: &str, source: &Source, text: &str) -> TokenStream {
+    let (ids, unnumbered) = match source {
+        Source::Numbered(ids) => (quote!(&[#(#ids),*]), quote!(::core::option::Option::None)),
+        Source::Unnumbered(words) => (quote!(&[]), quote!(::core::option::Option::Some(#words))),
+    };
+    quote! {
+        ::etalon_kernels_gen::__private::inventory::submit! {
+            ::etalon_kernels_gen::__private::EquationEntry {
+                ids: #ids,
+                name: #name,
+                module_path: ::core::module_path!(),
+                file: ::core::file!(),
+                line: ::core::line!(),
+                source: #text,
+                unnumbered: #unnumbered,
+            }
+        }
+    }
+}
+
 /// The signature with an empty body: stands in for a function that was refused, so that its callers still find it.
-pub(crate) fn placeholder(function: ItemFn) -> proc_macro2::TokenStream {
+pub(crate) fn placeholder(function: ItemFn) -> TokenStream {
     let ItemFn { attrs, vis, sig, .. } = function;
     let impossible = match &sig.output {
         ReturnType::Type(_, ty) => has_impl(ty),

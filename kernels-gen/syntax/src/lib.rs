@@ -17,6 +17,7 @@ mod scopes;
 mod signature;
 mod translate;
 
+use arguments::Arguments;
 use errors::Errors;
 use proc_macro2::TokenStream;
 use syn::ItemFn;
@@ -69,15 +70,20 @@ fn parse(item: TokenStream) -> syn::Result<ItemFn> {
 
 fn translate_function(attribute: TokenStream, mut function: ItemFn, around: &Surroundings) -> syn::Result<TokenStream> {
     let mut errors = Errors::default();
-    let source = arguments::parse(attribute, around.check_id, &mut errors);
+    let arguments = arguments::parse(attribute, around.check_id, &mut errors);
     let text = around.source_text.clone().unwrap_or_else(|| emit::token_text(&function));
+    if let Some(Arguments { source, host: true }) = &arguments {
+        signature::check_host(&function, &mut errors);
+        errors.finish()?;
+        return Ok(emit::host(function, source, &text));
+    }
     let real = signature::check(&function, &mut errors);
     if let Some(real) = &real {
         translate::body(&mut function, real, &mut errors);
     }
     errors.finish()?;
-    match (source, real) {
-        (Some(source), Some(real)) => Ok(emit::function(function, &real, &source, &text)),
+    match (arguments, real) {
+        (Some(arguments), Some(real)) => Ok(emit::function(function, &real, &arguments.source, &text)),
         // Without an error both are there; this is only to have no panic even so.
         _ => Err(syn::Error::new(proc_macro2::Span::call_site(), "the equation could not be understood")),
     }

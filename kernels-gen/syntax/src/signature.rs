@@ -8,13 +8,7 @@ use syn::{Attribute, Expr, GenericParam, Generics, Ident, ItemFn, Lit, Meta, Typ
 /// Checks the signature and finds the number type: the one type parameter bounded by `Real`.
 pub(crate) fn check(function: &ItemFn, errors: &mut Errors) -> Option<Ident> {
     let signature = &function.sig;
-    if !function.attrs.iter().any(documents) {
-        errors.at(
-            &signature.ident,
-            "an equation is its documentation too: write above it what it computes, its symbols with their units, and its \
-             source (`/// ...`)",
-        );
-    }
+    check_documentation(function, errors);
     if let Some(attribute) = function.attrs.iter().find(|a| a.path().is_ident("inline")) {
         errors.at(attribute, "#[equation] adds #[inline(always)] itself; remove this line");
     }
@@ -54,6 +48,24 @@ pub(crate) fn check(function: &ItemFn, errors: &mut Errors) -> Option<Ident> {
     }
     floats.visit_return_type(&signature.output);
     real
+}
+
+/// Checks the signature of a function that is computed on the host alone: any, but not that of one that could be translated.
+pub(crate) fn check_host(function: &ItemFn, errors: &mut Errors) {
+    check_documentation(function, errors);
+    for real in real_parameters(&function.sig.generics) {
+        errors.at(real, "what is generic over `Real` runs on every target: leave `host` out");
+    }
+}
+
+fn check_documentation(function: &ItemFn, errors: &mut Errors) {
+    if !function.attrs.iter().any(documents) {
+        errors.at(
+            &function.sig.ident,
+            "an equation is its documentation too: write above it what it computes, its symbols with their units, and its \
+             source (`/// ...`)",
+        );
+    }
 }
 
 /// A `///` line with words in it.

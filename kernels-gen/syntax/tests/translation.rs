@@ -75,6 +75,30 @@ fn unnumbered_method() {
     insta::assert_snapshot!(translated(attribute, function).expect("accepted"));
 }
 
+/// What is computed on the host alone stays as it is: no constant, comparison or early return is translated.
+#[test]
+fn host_function() {
+    let function = "
+        /// The claim.
+        pub fn mean<F: Float>(values: &[F]) -> Option<f64> {
+            #![allow(clippy::inside)]
+            if values.is_empty() { return None; }
+            let sum: f64 = values.iter().map(|x| x.to_f64()).sum();
+            Some(0.5 * sum)
+        }";
+    insta::assert_snapshot!(translated("\"gs25:20\", host", function).expect("accepted"));
+}
+
+#[test]
+fn what_could_be_translated_is_no_host_function() {
+    let refused = |attribute, function| translated(attribute, function).expect_err("refused");
+    let generic = refused("\"gs25:20\", host", "/// The claim.\nfn f<R: Real>(x: R) -> R { x }");
+    assert_eq!(generic, "what is generic over `Real` runs on every target: leave `host` out\n");
+    let bare = refused("\"gs25:20\", host, host", "fn f(x: f64) -> f64 { x }");
+    assert!(bare.starts_with("`host` is given twice; keep one\nan equation is its documentation too"), "{bare}");
+    assert!(refused("host", "/// The claim.\nfn f() {}").starts_with("the equation names no source"));
+}
+
 /// One function, all its errors.
 #[test]
 fn errors_come_all_at_once() {

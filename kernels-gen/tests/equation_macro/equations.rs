@@ -146,3 +146,12 @@ impl<const N: usize> Shift<N> {
         if N < 2 { x + R::lit(N as f64) } else { x + 2.0 }
     }
 }
+
+/// The mean of a list, nothing for an empty one: an equation of whole lists.
+#[equation("gs25:20", host)]
+pub fn mean(values: &[f64]) -> Option<f64> {
+    if values.is_empty() {
+        return None;
+    }
+    Some(values.iter().sum::<f64>() / values.len() as f64)
+}

@@ -1,5 +1,6 @@
 //! What the macro registers.
 
+use crate::equations::mean;
 use etalon_kernels_gen::registered;
 
 #[test]
@@ -12,6 +13,7 @@ fn every_equation_is_registered_in_order() {
         ("gs25:8", "balsara_limiter"),
         ("gs25:11 gs25:12", "pieces"),
         ("gs25:13", "sorted_out"),
+        ("gs25:20", "mean"),
         ("pl20:1", "shifted"),
         ("", "rarely_squared"),
     ];
@@ -40,6 +42,11 @@ fn an_entry_is_the_equation_as_written() {
     let method = all.iter().find(|entry| entry.name == "shifted").expect("registered");
     assert!(method.source.starts_with("/// The shifted value"), "{}", method.source);
     assert!(method.source.contains("\n    if N < 2") && method.source.ends_with("\n}"), "{}", method.source);
+
+    // One of the host alone is entered the same way, and is what it was.
+    let host = all.iter().find(|entry| entry.name == "mean").expect("registered");
+    assert!(without_attribute.replace("#[equation(\"gs25:20\", host)]\n", "").contains(host.source), "{}", host.source);
+    assert_eq!((mean(&[]), mean(&[1.0, 2.0, 6.0])), (None, Some(3.0)));
 
     let unnumbered = all.iter().find(|entry| entry.name == "rarely_squared").expect("registered");
     assert_eq!((unnumbered.ids, unnumbered.unnumbered), (&[][..], Some("a test of rare branches")));

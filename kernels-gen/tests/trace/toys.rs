@@ -4,22 +4,22 @@ use etalon_kernels_gen::{
     Field, Mask, Matrix, Nameable, Pass, Rank, Real, Reduction, Scalar, Separation, Symmetric, Update, Vector, record,
 };
 
-const fn field(name: &'static str, rank: Rank, reduction: Reduction) -> Field {
-    Field { name, symbol: "", unit: "", rank, reduction }
+const fn field(name: &'static str, rank: Rank) -> Field {
+    Field { name, symbol: "", unit: "", rank, reduction: Reduction::Sum }
 }
-pub const MASS: Field = field("mass", Rank::Scalar, Reduction::Sum);
-pub const INVERSE_H: Field = field("inverse_h", Rank::Scalar, Reduction::Sum);
-pub const DENSITY: Field = field("density", Rank::Scalar, Reduction::Sum);
-pub const UNUSED: Field = field("unused", Rank::Scalar, Reduction::Sum);
-pub const VELOCITY: Field = field("velocity", Rank::Vector, Reduction::Sum);
-pub const POSITION: Field = field("position", Rank::Vector, Reduction::Sum);
-pub const INVERSE_MATRIX: Field = field("inverse_matrix", Rank::Symmetric, Reduction::Sum);
-pub const VELOCITY_GRADIENT: Field = field("velocity_gradient", Rank::Matrix, Reduction::Sum);
-pub const ACCELERATION: Field = field("acceleration", Rank::Vector, Reduction::Sum);
-pub const SIGNAL_SPEED: Field = field("signal_speed", Rank::Scalar, Reduction::Max);
-pub const HEATING: Field = field("heating", Rank::Scalar, Reduction::Sum);
+pub const MASS: Field = field("mass", Rank::Scalar);
+pub const INVERSE_H: Field = field("inverse_h", Rank::Scalar);
+pub const DENSITY: Field = field("density", Rank::Scalar);
+pub const UNUSED: Field = field("unused", Rank::Scalar);
+pub const VELOCITY: Field = field("velocity", Rank::Vector);
+pub const POSITION: Field = field("position", Rank::Vector);
+pub const INVERSE_MATRIX: Field = field("inverse_matrix", Rank::Symmetric);
+pub const VELOCITY_GRADIENT: Field = field("velocity_gradient", Rank::Matrix);
+pub const ACCELERATION: Field = field("acceleration", Rank::Vector);
+pub const SIGNAL_SPEED: Field = Field { reduction: Reduction::Max, ..field("signal_speed", Rank::Scalar) };
+pub const HEATING: Field = field("heating", Rank::Scalar);
 /// A name that WGSL and C keep for themselves.
-pub const TARGET: Field = field("target", Rank::Scalar, Reduction::Sum);
+pub const TARGET: Field = field("target", Rank::Scalar);
 
 record! {
     /// Read of the particle.

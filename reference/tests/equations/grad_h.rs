@@ -45,6 +45,41 @@ struct Sums {
     magnitude: f64,
 }
 
+impl Sums {
+    /// `drho/dh` in the exact form.
+    fn exact(&self) -> f64 {
+        let Sums { mass, estimator, normalisation, estimator_sum, mass_sum, self_kernel, self_d, .. } = *self;
+        density_derivative_exact(mass, estimator, normalisation, estimator_sum, mass_sum, self_kernel, self_d)
+    }
+
+    /// `drho/dh` in the corrected form.
+    fn corrected(&self) -> f64 {
+        let Sums {
+            mass, density, estimator, normalisation, estimator_sum, mass_sum, partition_sum, self_kernel, ..
+        } = *self;
+        density_derivative_corrected(
+            mass,
+            estimator,
+            normalisation,
+            density,
+            estimator_sum,
+            mass_sum,
+            partition_sum,
+            self_kernel,
+        )
+    }
+
+    /// What the neighbours alone give to the normalisation, `k - X W_aa`.
+    fn others(&self) -> f64 {
+        self.normalisation - self.estimator * self.self_kernel
+    }
+
+    /// The density without volume elements, `rho^0 = m / X`.
+    fn standard_density(&self) -> f64 {
+        self.mass / self.estimator
+    }
+}
+
 /// Squared distances, masses, estimators, volumes and densities around one particle, the particle itself first.
 struct Neighbourhood {
     members: Vec<[f64; 5]>,
@@ -138,15 +173,7 @@ fn exact_form_is_the_derivative<const D: usize>(kernel: Kernel, seed: u64) {
         let due = around.density::<Dual, D>(kernel, Dual::variable(around.h));
         let bound = sum_error(around.members.len()) * s.magnitude;
         assert_close("the density itself", due.value, s.density, sum_error(around.members.len()) * s.density);
-        let got = density_derivative_exact(
-            s.mass,
-            s.estimator,
-            s.normalisation,
-            s.estimator_sum,
-            s.mass_sum,
-            s.self_kernel,
-            s.self_d,
-        );
+        let got = s.exact();
         assert_close(&format!("d(rho)/dh of {kernel} in {D}-D"), got, due.slope, bound);
     }
 }
@@ -169,27 +196,10 @@ fn forms_differ_by_the_partition_of_unity() {
     fn check<const D: usize>() {
         for around in Neighbourhood::sample::<D>(Kernel::MixedSinc, 41) {
             let s = around.sums::<D>(Kernel::MixedSinc);
-            let exact = density_derivative_exact(
-                s.mass,
-                s.estimator,
-                s.normalisation,
-                s.estimator_sum,
-                s.mass_sum,
-                s.self_kernel,
-                s.self_d,
-            );
-            let corrected = density_derivative_corrected(
-                s.mass,
-                s.estimator,
-                s.normalisation,
-                s.density,
-                s.estimator_sum,
-                s.mass_sum,
-                s.partition_sum,
-                s.self_kernel,
-            );
-            let others = s.normalisation - s.estimator * s.self_kernel;
-            let standard = s.mass / s.estimator;
+            let exact = s.exact();
+            let corrected = s.corrected();
+            let others = s.others();
+            let standard = s.standard_density();
             let due = (s.density + others * standard) * s.partition_sum + (1.0 + others) * s.mass * s.self_d;
             // Both sides are made of the same three sums with a dozen roundings each.
             let largest = s.magnitude + (s.density + others * standard) * s.partition_sum.abs();
@@ -252,9 +262,9 @@ fn passes_give_the_factor_of_the_chosen_form() {
                 let slope = match form {
                     GradH::Exact => around.density::<Dual, D>(kernel, Dual::variable(around.h)).slope,
                     GradH::Corrected => {
-                        let others = s.normalisation - s.estimator * s.self_kernel;
+                        let others = s.others();
                         let first = s.density / s.normalisation * s.estimator_sum - s.density * s.partition_sum;
-                        first + others * (s.mass_sum - s.mass / s.estimator * s.partition_sum)
+                        first + others * (s.mass_sum - s.standard_density() * s.partition_sum)
                     }
                 };
                 let factor = around.h / (D as f64 * s.density);

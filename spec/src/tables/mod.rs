@@ -69,22 +69,24 @@ pub enum TableError {
     },
 }
 
-/// The keys that every file of tables starts with.
-#[derive(Deserialize)]
-struct Head {
-    paper: String,
-    table: u16,
-}
-
-/// Reads a file of tables and checks that it is `table` of GS25.
+/// Reads a file of tables, checks that it is `table` of GS25, and gives the rows their type.
+///
+/// `paper`, `table` and `about` stand at the head of every such file; they must be there and are left out of the rows.
 fn read<T: DeserializeOwned>(file: &str, table: u16, text: &str) -> Result<T, TableError> {
+    #[derive(Deserialize)]
+    struct Head {
+        paper: String,
+        table: u16,
+        #[serde(rename = "about")]
+        _about: String,
+    }
     let shape = |error: ReadError| TableError::Shape {
         file: file.to_owned(),
         place: error.line.map_or_else(String::new, |line| format!(", line {line}")),
         message: error.message,
     };
-    let parsed = parse_table(text).map_err(shape)?;
-    let head: Head = typed(toml::Value::Table(parsed.clone())).map_err(shape)?;
+    let mut rows = parse_table(text).map_err(shape)?;
+    let head: Head = typed(toml::Value::Table(rows.clone())).map_err(shape)?;
     if (head.paper.as_str(), head.table) != ("gs25", table) {
         return Err(TableError::WrongTable {
             file: file.to_owned(),
@@ -92,8 +94,33 @@ fn read<T: DeserializeOwned>(file: &str, table: u16, text: &str) -> Result<T, Ta
             found: format!("{}, {}", head.paper, head.table),
         });
     }
-    typed(toml::Value::Table(parsed)).map_err(shape)
+    rows.retain(|key, _| !["paper", "table", "about"].contains(&key));
+    typed(toml::Value::Table(rows)).map_err(shape)
 }
+
+/// `load` and `parse` for a table of GS25: its number, its file, and the function that checks the rows once they have their type.
+macro_rules! published {
+    ($type:ident, $number:literal, $file:literal, $checked:path) => {
+        impl $type {
+            /// The table built into this crate.
+            ///
+            /// # Errors
+            /// [`TableError`] for the first fault found; none occurs in a build whose tests pass.
+            pub fn load() -> Result<Self, TableError> {
+                Self::parse(concat!("spec/tables/", $file), include_str!(concat!("../../tables/", $file)))
+            }
+
+            /// Reads and checks the text of the table; `file` is its name for messages.
+            ///
+            /// # Errors
+            /// [`TableError`] for the first fault found.
+            pub fn parse(file: &str, text: &str) -> Result<Self, TableError> {
+                $checked(file, $crate::tables::read(file, $number, text)?)
+            }
+        }
+    };
+}
+use published;
 
 /// Checks that the rows carry the `expected` names, each once and in order.
 fn rows_in_order<T: Copy + PartialEq + std::fmt::Debug>(

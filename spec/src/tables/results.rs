@@ -4,7 +4,7 @@ use serde::Deserialize;
 
 use super::schemes::SchemeName;
 use super::setups::Test;
-use super::{TableError, domain, read, rows_in_order};
+use super::{TableError, domain, published, rows_in_order};
 use crate::text::one_line;
 
 /// A column of Table 7, in the paper's order.
@@ -114,31 +114,15 @@ impl Row {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
-    #[serde(rename = "paper")]
-    _paper: String,
-    #[serde(rename = "table")]
-    _table: u16,
-    #[serde(rename = "about")]
-    _about: String,
     metric: Vec<Metric>,
     result: Vec<Row>,
 }
 
-impl Results {
-    /// The table built into this crate.
-    ///
-    /// # Errors
-    /// [`TableError`] for the first fault found; none occurs in a build whose tests pass.
-    pub fn load() -> Result<Self, TableError> {
-        Self::parse("spec/tables/gs25_table7.toml", include_str!("../../tables/gs25_table7.toml"))
-    }
+published!(Results, 7, "gs25_table7.toml", Results::checked);
 
-    /// Reads and checks the text of the table; `file` is its name for messages.
-    ///
-    /// # Errors
-    /// [`TableError`] for the first fault found.
-    pub fn parse(file: &str, text: &str) -> Result<Self, TableError> {
-        let File { metric: mut metrics, result: rows, .. } = read(file, 7, text)?;
+impl Results {
+    /// Checks the rows.
+    fn checked(file: &str, File { metric: mut metrics, result: rows }: File) -> Result<Self, TableError> {
         let keys: Vec<MetricKey> = metrics.iter().map(|metric| metric.key).collect();
         rows_in_order(file, "key", &keys, &MetricKey::ALL)?;
         let schemes: Vec<SchemeName> = rows.iter().map(|row| row.scheme).collect();

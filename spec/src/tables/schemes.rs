@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Deserialize;
 
-use super::{TableError, domain, read, rows_in_order};
+use super::{TableError, domain, published, rows_in_order};
 
 /// The name of a dissipation scheme of GS25, Table 1, in the paper's order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
@@ -108,30 +108,14 @@ pub struct Schemes {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
-    #[serde(rename = "paper")]
-    _paper: String,
-    #[serde(rename = "table")]
-    _table: u16,
-    #[serde(rename = "about")]
-    _about: String,
     scheme: Vec<Scheme>,
 }
 
-impl Schemes {
-    /// The table built into this crate.
-    ///
-    /// # Errors
-    /// [`TableError`] for the first fault found; none occurs in a build whose tests pass.
-    pub fn load() -> Result<Self, TableError> {
-        Self::parse("spec/tables/gs25_table1.toml", include_str!("../../tables/gs25_table1.toml"))
-    }
+published!(Schemes, 1, "gs25_table1.toml", Schemes::checked);
 
-    /// Reads and checks the text of the table; `file` is its name for messages.
-    ///
-    /// # Errors
-    /// [`TableError`] for the first fault found.
-    pub fn parse(file: &str, text: &str) -> Result<Self, TableError> {
-        let File { scheme: schemes, .. } = read(file, 1, text)?;
+impl Schemes {
+    /// Checks the rows.
+    fn checked(file: &str, File { scheme: schemes }: File) -> Result<Self, TableError> {
         let names: Vec<SchemeName> = schemes.iter().map(|scheme| scheme.name).collect();
         rows_in_order(file, "name", &names, &SchemeName::ALL)?;
         for scheme in &schemes {

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use super::{TableError, domain, read, rows_in_order};
+use super::{TableError, domain, published, rows_in_order};
 
 /// A test of GS25, in the paper's order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
@@ -75,30 +75,14 @@ pub struct Setups {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
-    #[serde(rename = "paper")]
-    _paper: String,
-    #[serde(rename = "table")]
-    _table: u16,
-    #[serde(rename = "about")]
-    _about: String,
     setup: Vec<Setup>,
 }
 
-impl Setups {
-    /// The table built into this crate.
-    ///
-    /// # Errors
-    /// [`TableError`] for the first fault found; none occurs in a build whose tests pass.
-    pub fn load() -> Result<Self, TableError> {
-        Self::parse("spec/tables/gs25_table2.toml", include_str!("../../tables/gs25_table2.toml"))
-    }
+published!(Setups, 2, "gs25_table2.toml", Setups::checked);
 
-    /// Reads and checks the text of the table; `file` is its name for messages.
-    ///
-    /// # Errors
-    /// [`TableError`] for the first fault found.
-    pub fn parse(file: &str, text: &str) -> Result<Self, TableError> {
-        let File { setup: setups, .. } = read(file, 2, text)?;
+impl Setups {
+    /// Checks the rows.
+    fn checked(file: &str, File { setup: setups }: File) -> Result<Self, TableError> {
         let tests: Vec<Test> = setups.iter().map(|setup| setup.test).collect();
         rows_in_order(file, "test", &tests, &Test::ALL)?;
         for Setup { test, box_size, particles_in_millions: particles, particles_per_axis: per_axis, .. } in &setups {

@@ -76,7 +76,7 @@ fn list(out: &mut String, label: &str, fields: &[Field]) {
         let comma = if index + 1 < fields.len() { ", " } else { "" };
         let item = format!("{} {}{comma}", field.name, symbol(field.symbol));
         match rows.last_mut() {
-            Some(row) if row.chars().count() + item.chars().count() + INDENT <= WIDTH => row.push_str(&item),
+            Some(row) if columns(row) + columns(&item) + INDENT <= WIDTH => row.push_str(&item),
             _ => rows.push(item),
         }
     }
@@ -88,15 +88,33 @@ fn list(out: &mut String, label: &str, fields: &[Field]) {
 fn fields(out: &mut String, explanation: &Explanation) {
     let numbers = explanation.numbers();
     line(out, &format!("\nFields of a particle: {}, {numbers} numbers in all", explanation.fields.len()));
-    for field in &explanation.fields {
+    for row in table(&explanation.fields) {
+        line(out, &format!("  {row}"));
+    }
+}
+
+/// A row for each field: name, symbol, unit, rank, each column as wide as its widest entry needs.
+fn table(fields: &[Field]) -> Vec<String> {
+    let cells = |field: &Field| {
         let rank = match field.rank {
             Rank::Scalar => "scalar",
             Rank::Vector => "vector",
             Rank::Symmetric => "symmetric matrix",
             Rank::Matrix => "matrix",
         };
-        line(out, &format!("  {:<29}{:<18}{:<20}{}", field.name, symbol(field.symbol), field.unit, rank));
-    }
+        [field.name.to_string(), symbol(field.symbol), field.unit.to_string(), rank.to_string()]
+    };
+    let rows: Vec<_> = fields.iter().map(cells).collect();
+    let widths = [0, 1, 2, 3].map(|k| rows.iter().map(|row| columns(&row[k])).max().unwrap_or(0));
+    let padded = |cell: &String, width: usize| cell.clone() + &" ".repeat(width.saturating_sub(columns(cell)));
+    rows.iter()
+        .map(|row| row.iter().zip(widths).map(|(cell, width)| padded(cell, width)).collect::<Vec<_>>().join("  "))
+        .collect()
+}
+
+/// Columns of a terminal that a text takes: a mark over a letter, such as the dot of a rate, takes none.
+fn columns(text: &str) -> usize {
+    text.chars().filter(|character| !('\u{300}'..='\u{36f}').contains(character)).count()
 }
 
 fn work(out: &mut String, explanation: &Explanation) {
@@ -165,5 +183,29 @@ mod tests {
             let shown = symbol(field.symbol);
             assert!(!shown.contains(['\\', '{', '}']), "{}: {shown}", field.name);
         }
+    }
+
+    #[test]
+    fn columns_of_the_table_of_fields_stand_apart_and_below_each_other() {
+        let all = etalon_reference::fields::ALL;
+        let rows = table(all);
+        // Where the rank begins, which is a word of its own: two spaces before it, the same place in each row.
+        let starts: Vec<_> = rows
+            .iter()
+            .map(|row| {
+                let rank = row.trim_end().rfind("  ").expect("columns stand apart") + 2;
+                (columns(&row[..rank]), &row[rank..])
+            })
+            .collect();
+        for (row, (field, (place, rank))) in rows.iter().zip(all.iter().zip(&starts)) {
+            assert_eq!(*place, starts[0].0, "{row}");
+            assert!(["scalar", "vector", "symmetric matrix", "matrix"].contains(&rank.trim_end()), "{row}");
+            assert!(
+                row.starts_with(&format!("{}  ", field.name)) && row.contains(&format!("  {}  ", field.unit)),
+                "{row}"
+            );
+        }
+        // The dot over v takes no column of its own.
+        assert_eq!([columns("v\u{307}"), columns("ρ⁰")], [1, 2]);
     }
 }

@@ -7,6 +7,7 @@
 //! | `state.rs`, `exact.rs` | the particles at one moment; the exact solution |
 //! | `compare.rs`, `approximation.rs` | the three sources of error |
 //! | `sensitivity.rs`, `noisy.rs` | where tolerances come from |
+//! | `wrapped.rs` | an engine with clocks or noise around it |
 //! | `assemble.rs` | the report |
 
 mod approximation;
@@ -21,6 +22,7 @@ mod sensitivity;
 mod simulate;
 mod state;
 mod timed;
+mod wrapped;
 
 use super::arguments::RunArguments;
 use super::choices::{Backend, Precision};

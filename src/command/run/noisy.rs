@@ -2,7 +2,8 @@
 //!
 //! Source of the idea: Parker, Pierce & Eggert 2000, *Monte Carlo arithmetic: how to gamble with floating point and win*.
 
-use etalon_kernels_gen::{Component, Field, Pass, Update};
+use super::wrapped::{Around, Work, Wrapped};
+use etalon_kernels_gen::{Component, Update};
 use etalon_reference::engine::{Engine, EngineError};
 use etalon_reference::fields;
 use etalon_reference::passes::KickDrift;
@@ -19,78 +20,65 @@ pub struct Noise<const D: usize> {
     pub place: [f64; D],
 }
 
+/// An engine whose particles are changed in every step.
+pub type Noisy<E, const D: usize> = Wrapped<E, Shaking<D>>;
+
 /// Changes an engine's particles in every step.
-pub struct Noisy<E, const D: usize> {
-    engine: E,
+pub struct Shaking<const D: usize> {
     noise: Noise<D>,
     random: Pcg64Mcg,
 }
 
-impl<E: Engine<D>, const D: usize> Noisy<E, D> {
+impl<E, const D: usize> Noisy<E, D> {
     /// Takes an engine with its particles.
     pub fn new(engine: E, noise: Noise<D>) -> Self {
-        Noisy { engine, noise, random: Pcg64Mcg::seed_from_u64(1) }
+        Wrapped { engine, around: Shaking { noise, random: Pcg64Mcg::seed_from_u64(1) } }
     }
+}
 
+impl<const D: usize> Shaking<D> {
     /// Adds to every particle that moves `size(its value, its number)`, up or down at random.
-    fn shake(
+    fn shake<E: Engine<D>>(
         &mut self,
+        engine: &mut E,
         component: Component,
         mobility: &[f64],
         size: impl Fn(f64, usize) -> f64,
     ) -> Result<(), EngineError> {
-        let mut values = self.engine.read(component)?;
+        let mut values = engine.read(component)?;
         for (i, value) in values.iter_mut().enumerate() {
             let sign = if self.random.random::<bool>() { 1.0 } else { -1.0 };
             *value += sign * mobility[i] * size(*value, i);
         }
-        self.engine.write(component, &values)
+        engine.write(component, &values)
     }
 
-    fn shake_all(&mut self) -> Result<(), EngineError> {
+    fn shake_all<E: Engine<D>>(&mut self, engine: &mut E) -> Result<(), EngineError> {
         let Noise { relative, place } = self.noise;
-        let mobility = self.engine.read_scalar(fields::MOBILITY)?;
-        let sound_speed = self.engine.read_scalar(fields::SOUND_SPEED)?;
+        let mobility = engine.read_scalar(fields::MOBILITY)?;
+        let sound_speed = engine.read_scalar(fields::SOUND_SPEED)?;
         for field in [fields::INTERNAL_ENERGY, fields::SMOOTHING_LENGTH] {
-            self.shake(Component { field, index: 0 }, &mobility, |value, _| relative * value.abs())?;
+            self.shake(engine, Component { field, index: 0 }, &mobility, |value, _| relative * value.abs())?;
         }
         for (index, step) in place.into_iter().enumerate() {
             let velocity = Component { field: fields::VELOCITY, index };
-            self.shake(velocity, &mobility, |value, i| relative * (value.abs() + sound_speed[i]))?;
-            self.shake(Component { field: fields::DISPLACEMENT, index }, &mobility, |_, _| step)?;
+            self.shake(engine, velocity, &mobility, |value, i| relative * (value.abs() + sound_speed[i]))?;
+            self.shake(engine, Component { field: fields::DISPLACEMENT, index }, &mobility, |_, _| step)?;
         }
         Ok(())
     }
 }
 
-impl<E: Engine<D>, const D: usize> Engine<D> for Noisy<E, D> {
-    fn particle_count(&self) -> usize {
-        self.engine.particle_count()
-    }
-    fn find_neighbours(&mut self, support: f64) -> Result<(), EngineError> {
-        self.engine.find_neighbours(support)
-    }
-    fn run_pass<P: Pass<D>>(&mut self, pass: &P) -> Result<(), EngineError> {
-        self.engine.run_pass(pass)
-    }
-    fn run_update<U: Update<D>>(&mut self, update: &U, time_step: f64) -> Result<(), EngineError> {
-        self.engine.run_update(update, time_step)?;
+impl<E: Engine<D>, const D: usize> Around<E> for Shaking<D> {
+    fn during(
+        &mut self,
+        engine: &mut E,
+        work: Work,
+        run: impl FnOnce(&mut E) -> Result<(), EngineError>,
+    ) -> Result<(), EngineError> {
+        run(engine)?;
         // Once a step, between the kick and the drift; a step of length zero is set-up.
-        if time_step > 0.0 && U::NAME == <KickDrift as Update<D>>::NAME { self.shake_all() } else { Ok(()) }
-    }
-    fn drift(&mut self) -> Result<(), EngineError> {
-        self.engine.drift()
-    }
-    fn minimum(&mut self, field: Field) -> Result<f64, EngineError> {
-        self.engine.minimum(field)
-    }
-    fn read(&mut self, component: Component) -> Result<Vec<f64>, EngineError> {
-        self.engine.read(component)
-    }
-    fn write(&mut self, component: Component, values: &[f64]) -> Result<(), EngineError> {
-        self.engine.write(component, values)
-    }
-    fn coordinates(&mut self, axis: usize) -> Result<Vec<u64>, EngineError> {
-        self.engine.coordinates(axis)
+        let kicked = work.name == <KickDrift as Update<D>>::NAME && work.time_step.is_some_and(|step| step > 0.0);
+        if kicked { self.shake_all(engine) } else { Ok(()) }
     }
 }

@@ -1,8 +1,8 @@
 //! Where an engine's time goes.
 
+use super::wrapped::{Around, Work, Wrapped};
 use crate::report::model::Stage;
-use etalon_kernels_gen::{Component, Field, Pass, Update};
-use etalon_reference::engine::{Engine, EngineError};
+use etalon_reference::engine::EngineError;
 use etalon_simd::{LaneEngine, Number, Timings};
 use std::time::{Duration, Instant};
 
@@ -44,61 +44,41 @@ impl<const D: usize> Clocked for etalon_wgpu::WgpuEngine<D> {
 }
 
 /// An engine without clocks, timed from outside.
-pub struct Timed<E> {
-    engine: E,
+pub type Timed<E> = Wrapped<E, Clock>;
+
+/// The time that each kind of work took.
+#[derive(Default)]
+pub struct Clock {
     timings: Timings,
 }
 
 impl<E> Timed<E> {
-    /// Puts clocks around an engine.
+    /// Puts a clock beside an engine.
     pub fn new(engine: E) -> Self {
-        Timed { engine, timings: Timings::default() }
+        Wrapped { engine, around: Clock::default() }
     }
+}
 
-    fn time<T>(&mut self, stage: &'static str, work: impl FnOnce(&mut E) -> T) -> T {
+impl<E> Around<E> for Clock {
+    fn during(
+        &mut self,
+        engine: &mut E,
+        work: Work,
+        run: impl FnOnce(&mut E) -> Result<(), EngineError>,
+    ) -> Result<(), EngineError> {
         let start = Instant::now();
-        let done = work(&mut self.engine);
-        self.timings.add(stage, start);
+        let done = run(engine);
+        self.timings.add(work.name, start);
         done
     }
 }
 
 impl<E> Clocked for Timed<E> {
     fn restart(&mut self) -> Result<(), EngineError> {
-        self.timings.clear();
+        self.around.timings.clear();
         Ok(())
     }
     fn stages(&mut self) -> Result<Vec<Stage>, EngineError> {
-        Ok(stages(self.timings.stages()))
-    }
-}
-
-impl<const D: usize, E: Engine<D>> Engine<D> for Timed<E> {
-    fn particle_count(&self) -> usize {
-        self.engine.particle_count()
-    }
-    fn find_neighbours(&mut self, support: f64) -> Result<(), EngineError> {
-        self.time("neighbour_list", |engine| engine.find_neighbours(support))
-    }
-    fn run_pass<P: Pass<D>>(&mut self, pass: &P) -> Result<(), EngineError> {
-        self.time(P::NAME, |engine| engine.run_pass(pass))
-    }
-    fn run_update<U: Update<D>>(&mut self, update: &U, time_step: f64) -> Result<(), EngineError> {
-        self.time(U::NAME, |engine| engine.run_update(update, time_step))
-    }
-    fn drift(&mut self) -> Result<(), EngineError> {
-        self.time("drift", Engine::drift)
-    }
-    fn minimum(&mut self, field: Field) -> Result<f64, EngineError> {
-        self.engine.minimum(field)
-    }
-    fn read(&mut self, component: Component) -> Result<Vec<f64>, EngineError> {
-        self.engine.read(component)
-    }
-    fn write(&mut self, component: Component, values: &[f64]) -> Result<(), EngineError> {
-        self.engine.write(component, values)
-    }
-    fn coordinates(&mut self, axis: usize) -> Result<Vec<u64>, EngineError> {
-        self.engine.coordinates(axis)
+        Ok(stages(self.around.timings.stages()))
     }
 }

@@ -11,4 +11,3 @@ mod passes;
 #[path = "../support/random.rs"]
 mod random;
 mod reduce;
-mod speed;
