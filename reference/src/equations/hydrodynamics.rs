@@ -23,7 +23,8 @@ pub fn pressure_coefficient<R: Real>(pressure: R, grad_h: R, normalisation: R, s
 /// Multiplies the particle's own coefficient and divides the neighbour's, so that (22) has `X_a^(2-sigma) X_b^sigma / (m_a^(2-sigma) m_b^sigma)`:
 /// one in smooth flow, the geometric-mean density across a contact. The mass exponents are those that keep the force's limit
 /// for unequal masses. Inside the ramp the power is `exp(2 sigma artanh z)`, `z = (rho^0_a - rho^0_b)/(rho^0_a + rho^0_b)`, for ratios of up to
-/// three; a ramp needs no more, its density ratio ends at 1.5. Source: C25 (22).
+/// three; a ramp's density ratio ends at 1.5. What masses far apart make of a ratio beyond three grows linearly with `sigma`, so that the
+/// weight has no step at either end of the ramp. Source: C25 (22); what is beyond three is ours.
 #[equation("c25:22")]
 pub fn crossed_weight<R: Real>(density_a: R, density_b: R, standard_a: R, standard_b: R) -> R {
     let difference = (density_a - density_b).abs();
@@ -34,7 +35,10 @@ pub fn crossed_weight<R: Real>(density_a: R, density_b: R, standard_a: R, standa
         let z = ((standard_a - standard_b) / (standard_a + standard_b)).max(-0.5).min(0.5);
         let logarithm = 2.0 * z * functions::horner(&ARTANH, 4.0 * z * z);
         let decay = exp_negative(sigma * logarithm.abs());
-        let ramp = if z < 0.0 { decay } else { 1.0 / decay };
+        let contrast = standard_a.max(standard_b) / standard_a.min(standard_b);
+        let excess = (contrast * R::lit(1.0 / 3.0)).max(1.0);
+        let beyond = 1.0 + sigma * (excess - 1.0);
+        let ramp = if z < 0.0 { decay / beyond } else { beyond / decay };
         if sigma < 1.0 { ramp } else { standard_a / standard_b }
     } else {
         1.0

@@ -115,11 +115,41 @@ fn ramp_meets_both_ends() {
     assert!(values.windows(2).all(|w| w[1] <= w[0]));
 }
 
-/// Ratios of more than three cannot be had inside the ramp without strange masses; they count as three there.
+/// Ratios of more than three cannot be had inside the ramp without strange masses; what is beyond three grows linearly.
 #[test]
-fn ramp_knows_ratios_up_to_three() {
+fn ramp_is_linear_beyond_a_ratio_of_three() {
     let densities = (1.0, 1.15 / 0.85);
-    for (standard_a, standard_b, due) in [(1.0, 40.0, 3_f64.powf(-0.5)), (40.0, 1.0, 3_f64.sqrt())] {
-        assert_close("clamped", crossed_weight(densities.0, densities.1, standard_a, standard_b), due, 1e-13);
+    let due = 3_f64.sqrt() * (1.0 + 0.5 * (40.0 / 3.0 - 1.0));
+    // sigma = 0.5 is good to 1e-15 and moves a weight of 12 by a hundredth of that per unit.
+    assert_close("lighter", crossed_weight(densities.0, densities.1, 1.0, 40.0), 1.0 / due, 1e-13);
+    assert_close("denser", crossed_weight(densities.0, densities.1, 40.0, 1.0), due, 1e-12);
+}
+
+/// The weight has no step anywhere, whatever the masses: rounding that turns a comparison turns nothing else.
+fn weight_has_no_step<T: Float>() {
+    let denser = |atwood: f64| T::lit((1.0 + atwood) / (1.0 - atwood));
+    let step = 2.0 * T::UNIT;
+    for ratio in [1.0, 2.5, 3.0 - 1e-6, 3.0, 3.0 + 1e-6, 9.0, 1e3] {
+        for (standard_a, standard_b) in [(ratio, 1.0), (1.0, ratio)] {
+            let weight = |atwood: f64| {
+                crossed_weight(T::lit(1.0), denser(atwood), T::lit(standard_a), T::lit(standard_b)).to_f64()
+            };
+            // The weight's logarithm grows with sigma by log 3 and by excess / (1 + sigma excess), which is below the ratio at the
+            // ramp's beginning, 2 half-way, 1 at the end.
+            for (atwood, growth) in [(0.1, 1.1 + ratio / 3.0), (0.15, 3.1), (0.2, 2.1)] {
+                // Each Atwood number is off by the step, and by as much again from rounding: 4 steps apart, sigma by ten times
+                // that. Rounding adds on either side what `ramp_is_a_power` counts, and 3 for the excess.
+                let bound = 40.0 * step * growth + 140.0 * T::UNIT;
+                assert!(bound < 0.01, "a bound of {bound} says nothing");
+                let what = format!("ratio {standard_a}/{standard_b} across At = {atwood}");
+                assert_close(&what, weight(atwood + step) / weight(atwood - step), 1.0, bound);
+            }
+        }
     }
+}
+
+#[test]
+fn weight_has_no_step_at_any_ratio() {
+    weight_has_no_step::<f64>();
+    weight_has_no_step::<f32>();
 }

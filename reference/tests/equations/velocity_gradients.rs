@@ -1,9 +1,11 @@
 //! The sweep that makes velocity gradients: strain rate and Balsara's limiter of flows whose gradient is known.
 
-use crate::check::{UNIT, assert_close};
+use crate::check::{UNIT, assert_close, gamma};
 use crate::cloud::Recipe;
 use etalon_kernels_gen::{Component, Symmetric};
+use etalon_reference::domain::separation;
 use etalon_reference::engine::{Engine, PlainEngine};
+use etalon_reference::equations::kernels::kernel_shape;
 use etalon_reference::fields;
 use etalon_reference::particles::{Particle, ParticleSet};
 use etalon_reference::passes::Physics;
@@ -78,6 +80,65 @@ fn linear_flows_have_their_strain_rate_and_balsara_factor() {
     flow_is_recovered([[1.0, 2.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]);
     flow_is_recovered([[1.0, 0.0, 2.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]);
     flow_is_recovered([[1.0, 0.0, 0.0], [0.0, 0.0, 2.0], [0.0, 0.0, 0.0]]);
+}
+
+/// `c` is the inverse of `tau = sum V_b x_ba x_ba^T W_ab(h_a)` (C25 2), summed here over all pairs.
+///
+/// A flow's gradient is `I c` and does not tell: a factor in `tau` that is missing in `I` as well, such as `h^-nu`, goes unseen.
+fn gradient_matrix_inverts_the_moments<const D: usize>() {
+    let set = Recipe::unequal::<D>(79).particles::<D>(true);
+    let mut engine = PlainEngine::<f64, D>::new(&set);
+    engine.find_neighbours(2.0).unwrap();
+    Pipeline::leading_to::<D>(PassKind::Gradients).run(&mut engine, PHYSICS).unwrap();
+    let volume = engine.read_scalar(fields::VOLUME).unwrap();
+    let columns = engine.read_all(fields::GRADIENT_MATRIX).unwrap();
+    let coordinates: [Vec<u64>; D] = std::array::from_fn(|axis| set.coordinates(axis));
+    let central = kernel_shape::<f64, D>(PHYSICS.kernel, 0.0).value;
+    let mut checked = 0;
+    for (a, p) in set.particles().iter().enumerate() {
+        let h = p.smoothing_length;
+        let mut tau = DMatrix::<f64>::zeros(D, D);
+        // What the terms would add up to with the largest weight there is.
+        let (mut size, mut neighbours) = (0.0, 0);
+        for b in 0..set.len() {
+            let x = DMatrix::from_fn(D, 1, |i, _| separation(coordinates[i][b], coordinates[i][a], 1.0));
+            let r_squared = x.norm_squared();
+            if b != a && r_squared < 4.0 * h * h {
+                let weight = kernel_shape::<f64, D>(PHYSICS.kernel, r_squared / (h * h)).value / h.powi(D as i32);
+                tau += (&x * x.transpose()) * (volume[b] * weight);
+                size += volume[b] * r_squared * central / h.powi(D as i32);
+                neighbours += 1;
+            }
+        }
+        let scale = tau.trace() / D as f64;
+        let quality = (&tau / scale).determinant();
+        if quality < 0.05 {
+            continue;
+        }
+        checked += 1;
+        let c = DMatrix::from_fn(D, D, |i, j| columns[Symmetric::<f64, D>::position(i, j)][a]);
+        // In units where tau has the trace D, entries of c are below (D / (D-1))^(D-1) / quality <= 2.25 / quality. The inverse by
+        // cofactors is good to (20 + 450 / quality) u / quality. Both sums round as often as they have terms and 200 times for
+        // q^2 and the kernel, in units of `size`. Then there is the product of two matrices, here.
+        let inverse = (20.0 + 450.0 / quality) / quality * UNIT;
+        let sums = 2.0 * gamma(neighbours + 200, UNIT) * size / scale * 2.25 / quality;
+        let bound = (D * D) as f64 * (inverse + sums + 2.25 / quality * gamma(D, UNIT));
+        let product = c * tau;
+        for i in 0..D {
+            for j in 0..D {
+                let what = format!("c tau {i}{j} of particle {a} in {D}-D, quality {quality}");
+                assert_close(&what, product[(i, j)], if i == j { 1.0 } else { 0.0 }, bound);
+            }
+        }
+    }
+    assert!(checked * 4 > set.len() * 3, "only {checked} of {} particles in {D}-D", set.len());
+}
+
+#[test]
+fn gradient_matrix_is_the_inverse_of_the_moments() {
+    gradient_matrix_inverts_the_moments::<1>();
+    gradient_matrix_inverts_the_moments::<2>();
+    gradient_matrix_inverts_the_moments::<3>();
 }
 
 /// The two third sweeps agree in what they share, to the last bit.
