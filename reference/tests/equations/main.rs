@@ -11,6 +11,7 @@ mod dissipation;
 mod double_hump;
 mod drag;
 mod dual;
+mod dust_drawn;
 mod dust_reconstruction;
 mod exact_dust;
 mod float;
