@@ -127,6 +127,12 @@ def mixed_sinc(dimension):
     )
 
 
+def inverse_second_moments():
+    """h^2 / int r^2 W dV = 1 / (nu sigma^2) of the mixed sinc kernel in 1, 2 and 3 dimensions."""
+    kernels = [mixed_sinc(dimension) for dimension in (1, 2, 3)]
+    return [normalisation(lambda q, k=k: q**2 * k.value(q), k.dimension, k.support) for k in kernels]
+
+
 def all_kernels():
     """Every kernel in every dimension, in the order of the check table."""
     kernels = [mixed_sinc(dimension) for dimension in (1, 2, 3)]

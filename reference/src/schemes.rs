@@ -46,6 +46,9 @@ choice! {
     }
 }
 
+mod drag;
+pub use drag::{CommonPoint, DragReconstruction, DragSigns, SlopeLimiter};
+
 impl Kernel {
     /// Support radius in units of the smoothing length.
     pub const fn support(self) -> f64 {

@@ -78,7 +78,7 @@ pub fn integral_gradient<R: Real, const D: usize>(c: Symmetric<R, D>, x_ba: Vect
 
 /// The determinant of a symmetric matrix of up to three dimensions.
 #[inline(always)]
-fn determinant<R: Real, const D: usize>(m: Symmetric<R, D>) -> R {
+pub(super) fn determinant<R: Real, const D: usize>(m: Symmetric<R, D>) -> R {
     m.row(0).dot(Vector::from_fn(
         #[inline(always)]
         |j| cofactor(m, 0, j),

@@ -1,3 +1,7 @@
 //! Analytic solutions that simulations are compared with.
 
+pub mod dust;
+pub mod dustybox;
+pub mod dustyshock;
+pub mod dustywave;
 pub mod riemann;

@@ -15,7 +15,7 @@ use etalon_reference::equations::volume_elements::*;
 
 /// What values an argument may have.
 #[derive(Clone, Copy)]
-enum Domain {
+pub enum Domain {
     /// Masses, densities, volumes, smoothing lengths.
     Positive,
     /// Energies, sound speeds, distances.
@@ -26,7 +26,7 @@ enum Domain {
 use Domain::{Any, NotNegative, Positive};
 
 /// Calls `f` with every combination of hard values of its arguments.
-fn try_all<T: Float, const N: usize>(name: &str, domains: [Domain; N], extreme: f64, f: impl Fn([T; N]) -> T) {
+pub fn try_all<T: Float, const N: usize>(name: &str, domains: [Domain; N], extreme: f64, f: impl Fn([T; N]) -> T) {
     let positive = [1.0 / extreme, 1e-3, 1.0, extreme];
     let values = |domain: Domain| -> Vec<f64> {
         let mut values = positive.to_vec();
