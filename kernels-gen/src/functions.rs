@@ -39,19 +39,27 @@ pub fn horner_derivative<R: Real>(polynomial: &Polynomial, x: R) -> R {
 /// Beyond this the exponential is no more than 1.3e-14, and [`exp_negative`] stays there.
 const EXP_RANGE: f64 = 32.0;
 
-/// `exp(-y)` for `y >= 0`.
+/// `exp(-y) - 1` for `y >= 0`, good to a few roundings of itself however small `y` is.
 ///
 /// With `x = y / 32`, `e = exp(-x) - 1` comes from a polynomial, and five doublings `e <- e (2 + e)` carry it back to
-/// `exp(-y) - 1`. Working on the difference from one keeps the *absolute* error at a few roundings; the relative error of a
-/// tiny result is that of its absolute error.
+/// `exp(-y) - 1`. Neither step takes one from nearly one.
 #[inline(always)]
-pub fn exp_negative<R: Real>(y: R) -> R {
+pub fn expm1_negative<R: Real>(y: R) -> R {
     let x = y.min(R::lit(EXP_RANGE)) * R::lit(1.0 / EXP_RANGE);
     let mut e = -(x * horner(&EXPM1_NEGATIVE, x));
     for _ in 0..5 {
         e = e * (R::lit(2.0) + e);
     }
-    R::one() + e
+    e
+}
+
+/// `exp(-y)` for `y >= 0`.
+///
+/// Working on the difference from one, [`expm1_negative`], keeps the *absolute* error at a few roundings; the relative error of
+/// a tiny result is that of its absolute error.
+#[inline(always)]
+pub fn exp_negative<R: Real>(y: R) -> R {
+    R::one() + expm1_negative(y)
 }
 
 /// The cube root of a positive number of moderate size (1e-9 to 1e9).
@@ -121,6 +129,19 @@ mod tests {
         assert!(double < 8.0 && single < 8.0, "worst error {double} (f64), {single} (f32) epsilon; budget 8");
         assert_eq!(exp_negative(0.0), 1.0);
         assert!(exp_negative(1e30_f64) < 2e-14 && exp_negative(1e30_f64) >= 0.0);
+    }
+
+    /// Five doublings of three roundings on what came from fifteen, each relative: budget 20 epsilon.
+    #[test]
+    fn expm1_negative_keeps_its_digits_down_to_nothing() {
+        let double = worst(1e-300, 30.0, f64::EPSILON, |y| (expm1_negative(y) / (-y).exp_m1() - 1.0).abs());
+        let single = worst(1e-30, 30.0, f32::EPSILON as f64, |y| {
+            let y = y as f32;
+            (expm1_negative(y) as f64 / (-y as f64).exp_m1() - 1.0).abs()
+        });
+        println!("{double} (f64), {single} (f32) epsilon");
+        assert!(double < 20.0 && single < 20.0, "worst error {double} (f64), {single} (f32) epsilon; budget 20");
+        assert_eq!(expm1_negative(0.0), 0.0);
     }
 
     #[test]
