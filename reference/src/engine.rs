@@ -9,7 +9,7 @@ pub use search::{PlainNeighbours, brute_force};
 use etalon_kernels_gen::{Component, Field, Pass, Rank, Update};
 
 /// What went wrong inside an engine, in one sentence with its remedy.
-#[derive(Debug, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{0}")]
 pub struct EngineError(pub String);
 

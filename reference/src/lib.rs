@@ -4,7 +4,8 @@
 //! - [`passes`]: the sweeps over particles that are made of them, and [`pipeline`], which finds those a scene needs;
 //! - [`engine`]: what a backend must do, and the plain one that does it by direct loops;
 //! - [`simulation`]: the time integration, on any engine;
-//! - [`scenes`], [`exact`], [`norms`]: what is run and what it is compared with.
+//! - [`scenes`], [`exact`], [`norms`]: what is run and what it is compared with;
+//! - [`turbulence`]: the driving of turbulence and what is measured on it.
 #![forbid(unsafe_code)]
 
 pub mod choice;
@@ -21,3 +22,5 @@ pub mod pipeline;
 pub mod scenes;
 pub mod schemes;
 pub mod simulation;
+pub mod sum;
+pub mod turbulence;

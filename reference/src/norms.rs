@@ -4,6 +4,7 @@
 //! count (x, or a radius), and the closed range of that coordinate. All three lists are in the same order.
 
 use etalon_kernels_gen::equation;
+use crate::sum::CompensatedSum;
 use num_traits::Float;
 
 /// A list that a norm was given.
@@ -128,19 +129,15 @@ fn differences<F: Float>(p: &[F], p_ref: &[F], d: &[F], range: (F, F)) -> Result
     Ok(chosen)
 }
 
-/// Compensated (Kahan) mean of non-negative numbers: each term takes back what the one before it lost, so that the error
-/// does not grow with their number. With a million particles in single precision a plain sum loses four digits.
+/// Mean of non-negative numbers, by a compensated sum.
 fn mean<F: Float>(values: impl ExactSizeIterator<Item = F>) -> F {
-    let (mut sum, mut excess, mut count) = (F::zero(), F::zero(), F::zero());
     let number = F::from(values.len());
+    let (mut sum, mut count) = (CompensatedSum::new(), F::zero());
     for value in values {
-        let term = value - excess;
-        let next = sum + term;
-        excess = (next - sum) - term;
-        sum = next;
+        sum.add(value);
         count = count + F::one();
     }
-    sum / number.unwrap_or(count)
+    sum.value() / number.unwrap_or(count)
 }
 
 fn largest<F: Float>(values: &[F]) -> F {

@@ -48,6 +48,45 @@ choice! {
 
 mod drag;
 pub use drag::{CommonPoint, DragReconstruction, DragSigns, SlopeLimiter};
+choice! {
+    /// What is a parabola in the driving of turbulence.
+    Profile, "driving profile" {
+        /// The power per wave number, as SPH-EXA has it.
+        Power = "power",
+        /// The amplitude of each mode, as C25 section 2 and GS25 section 4 say.
+        Amplitude = "amplitude",
+    }
+}
+
+choice! {
+    /// How the driven modes are weighted among directions.
+    ModeWeights, "weights of the driven modes" {
+        /// Every mode the same.
+        Even = "even",
+        /// As SPH-EXA's list of modes makes them: power twice as large along a face of the box, four times along an edge.
+        Published = "published",
+    }
+}
+
+choice! {
+    /// Whether the half stands in the Mach number of a scale (C25 33).
+    MachReading, "reading of C25 33" {
+        /// `sqrt(S_2 / 2) / c`: far apart it is the root-mean-square Mach number.
+        Halved = "halved",
+        /// `sqrt(S_2) / c`.
+        Whole = "whole",
+    }
+}
+
+choice! {
+    /// What a mean over particles stands for.
+    Weighting, "weighting" {
+        /// A mean over mass.
+        Mass = "mass",
+        /// A mean over volume, `m / rho` a particle.
+        Volume = "volume",
+    }
+}
 
 impl Kernel {
     /// Support radius in units of the smoothing length.

@@ -1,4 +1,4 @@
-//! Artificial viscosity: GS25 (1)-(3), (6)-(8), (27).
+//! Artificial viscosity: GS25 (1)-(3), (6)-(8), (27); C25 (6), (7), (18).
 
 use crate::schemes::{Dissipation, Viscosity};
 use etalon_kernels_gen::functions::ratio_or_zero;
@@ -20,8 +20,8 @@ pub fn approach_velocity<R: Real, const D: usize>(v_ab: Vector<R, D>, x_ab: Vect
 
 /// The speed at which a signal passes between two particles, `v_sig = c_a + c_b - 3 omega_ab`.
 ///
-/// Source: GS25 (3).
-#[equation("gs25:3")]
+/// Source: GS25 (3), C25 (7).
+#[equation("gs25:3", "c25:7")]
 pub fn signal_velocity<R: Real>(sound_speed_a: R, sound_speed_b: R, omega_ab: R) -> R {
     sound_speed_a + sound_speed_b - R::lit(SIGNAL_FACTOR) * omega_ab
 }
@@ -29,8 +29,8 @@ pub fn signal_velocity<R: Real>(sound_speed_a: R, sound_speed_b: R, omega_ab: R)
 /// The viscosity of a pair in the form of a Riemann problem, `Pi = -alpha v_sig omega / (2 rho_mean)` while approaching, else zero.
 ///
 /// The cut-off is not printed with the formula but needed: without it receding pairs would be pulled apart.
-/// It is (6) with `beta = 3 alpha / 2`. Unit: L^(2+nu) M^-1 T^-2. Source: GS25 (1).
-#[equation("gs25:1")]
+/// It is (6) with `beta = 3 alpha / 2`. Unit: L^(2+nu) M^-1 T^-2. Source: GS25 (1), C25 (6).
+#[equation("gs25:1", "c25:6")]
 pub fn riemann_viscosity<R: Real>(alpha: R, v_sig: R, omega_ab: R, mean_density: R) -> R {
     let approach = omega_ab.min(0.0);
     -(alpha * v_sig * approach) / (mean_density + mean_density)
@@ -56,8 +56,8 @@ pub fn pair_balsara<R: Real>(balsara_a: R, balsara_b: R) -> R {
 
 /// Balsara's limiter, `B = |div v| / (|div v| + |curl v| + 1e-4 c/h)`: one in pure compression or expansion, zero in pure shear.
 ///
-/// Zero where all three vanish (cold gas at rest). Source: GS25 (8).
-#[equation("gs25:8")]
+/// Zero where all three vanish (cold gas at rest). Source: GS25 (8), C25 (18).
+#[equation("gs25:8", "c25:18")]
 pub fn balsara_limiter<R: Real>(divergence: R, curl: R, sound_speed: R, inverse_h: R) -> R {
     let compression = divergence.abs();
     let denominator = compression + curl + R::lit(BALSARA_FLOOR) * sound_speed * inverse_h;

@@ -10,11 +10,12 @@ pub const ATWOOD_RAMP: (f64, f64) = (0.1, 0.2);
 /// What a particle brings to the pressure force, `Y_a = P_a / (Omega_a k_a (rho^0_a)^2)`.
 ///
 /// The factor of C25 (22) in front of the integral gradient at `sigma = 0`, where `X/m = 1/rho^0`. Zero without a positive denominator.
-/// Source: C25 (22).
+/// Divided by the density twice: its square would leave `f32` beyond 2^64 either way. Source: C25 (22).
 #[equation("c25:22")]
 pub fn pressure_coefficient<R: Real>(pressure: R, grad_h: R, normalisation: R, standard_density: R) -> R {
-    let denominator = grad_h * normalisation * standard_density * standard_density;
-    functions::ratio_or_zero(pressure, denominator)
+    let specific = functions::ratio_or_zero(pressure, standard_density);
+    let denominator = grad_h * normalisation * standard_density;
+    functions::ratio_or_zero(specific, denominator)
 }
 
 /// How much of the crossed form a pair takes: `(rho^0_a / rho^0_b)^sigma` with the Atwood ramp

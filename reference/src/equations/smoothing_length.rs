@@ -6,8 +6,8 @@ use etalon_kernels_gen::{Real, equation};
 /// The number of neighbours the density implies, the particle included: the volume of the support over the particle's own volume.
 ///
 /// `n = omega_nu (R h)^nu / V`. Unlike the count it is smooth: a neighbour that crosses the support's edge, where it has no weight, changes
-/// nothing, and two precisions agree on it. Source: GS25 (16) read the other way round.
-#[equation("gs25:16")]
+/// nothing, and two precisions agree on it. Source: GS25 (16), C25 (13), read the other way round.
+#[equation("gs25:16", "c25:13")]
 pub fn effective_neighbours<R: Real, const D: usize>(inverse_h: R, volume: R, support_volume: R) -> R {
     support_volume / (volume * inverse_h.power(D as u32))
 }

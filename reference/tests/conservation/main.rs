@@ -5,6 +5,7 @@
 mod check;
 #[path = "../support/cloud.rs"]
 mod cloud;
+mod free_surface;
 mod nasty;
 mod pairs;
 #[path = "../support/records.rs"]

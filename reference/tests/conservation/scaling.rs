@@ -134,6 +134,13 @@ fn passes_scale_exactly() {
         all_fields_scale(PlainEngine::<f32, 2>::new, physics, units);
         all_fields_scale(PlainEngine::<f32, 3>::new, physics, units);
     }
+    // Lengths of 2^16 either way in single precision, where h^-4 alone is 2^64; densities stay of order one.
+    for length in [-16, 16] {
+        let physics = physics(Dissipation::AvSlrB2, GradH::Corrected);
+        all_fields_scale(PlainEngine::<f32, 1>::new, physics, Units { length, velocity: 0, mass: length });
+        all_fields_scale(PlainEngine::<f32, 2>::new, physics, Units { length, velocity: 0, mass: 2 * length });
+        all_fields_scale(PlainEngine::<f32, 3>::new, physics, Units { length, velocity: 0, mass: 3 * length });
+    }
     // As far as double precision goes in astronomers' units.
     let far = Units { length: 60, velocity: 20, mass: 110 };
     all_fields_scale(PlainEngine::<f64, 3>::new, physics(Dissipation::AvSlrB2, GradH::Corrected), far);

@@ -6,6 +6,7 @@ use crate::cloud::Recipe;
 use crate::pairs::{LastSweep, Pairs};
 use etalon_reference::engine::Engine;
 use etalon_reference::fields;
+use etalon_reference::particles::ParticleSet;
 use etalon_reference::passes::{Momentum, Physics, ReconstructedMomentum};
 
 /// `sum m a` and `sum m (v . a + du/dt)` are zero to rounding.
@@ -13,9 +14,8 @@ use etalon_reference::passes::{Momentum, Physics, ReconstructedMomentum};
 /// A pair's two contributions differ by at most 12 roundings of their size (see the pairs), some 20 more where they
 /// are multiplied with velocities; a particle's sum over n neighbours is off by gamma_n of the sum of magnitudes, and
 /// so is the sum over all N particles by gamma_N.
-fn totals_are_kept<P: LastSweep<D>, const D: usize>(physics: Physics, seed: u64) {
-    let cloud = Recipe::unequal::<D>(seed).particles::<D>(true);
-    let mut pairs = Pairs::<P, D>::of(&cloud, physics);
+pub fn totals_of_a_cloud_are_kept<P: LastSweep<D>, const D: usize>(cloud: &ParticleSet<D>, physics: Physics) {
+    let mut pairs = Pairs::<P, D>::of(cloud, physics);
     let acceleration = pairs.engine.read_all(fields::ACCELERATION).unwrap();
     let heating = pairs.engine.read_scalar(fields::ENERGY_RATE).unwrap();
     let speed = |i: usize| cloud.particles()[i].velocity.iter().map(|v| v * v).sum::<f64>().sqrt();
@@ -48,6 +48,10 @@ fn totals_are_kept<P: LastSweep<D>, const D: usize>(physics: Physics, seed: u64)
     // Something did happen: the forces on the particles are not themselves zero.
     assert!(moved > 1e6 * tolerance, "{what}: forces {moved:e} are no larger than the tolerance {tolerance:e}");
     println!("{what}: {:e} and {:e} of the tolerance", momentum[0].abs() / tolerance, energy.abs() / energy_tolerance);
+}
+
+fn totals_are_kept<P: LastSweep<D>, const D: usize>(physics: Physics, seed: u64) {
+    totals_of_a_cloud_are_kept::<P, D>(&Recipe::unequal::<D>(seed).particles::<D>(true), physics);
 }
 
 #[test]

@@ -8,10 +8,13 @@ use etalon_reference::equations::equation_of_state::*;
 use etalon_reference::equations::grad_h::*;
 use etalon_reference::equations::hydrodynamics::*;
 use etalon_reference::equations::initial_state::*;
+use etalon_reference::equations::polar::*;
 use etalon_reference::equations::reconstruction::*;
 use etalon_reference::equations::smoothing_length::*;
 use etalon_reference::equations::time_step::*;
+use etalon_reference::equations::turbulence::*;
 use etalon_reference::equations::volume_elements::*;
+use etalon_reference::schemes::{MachReading, Profile};
 
 /// What values an argument may have.
 #[derive(Clone, Copy)]
@@ -102,6 +105,39 @@ fn all_equations<T: Float>(extreme: f64) {
     try_all("cooling_step", [Any, Any], extreme, |[a, b]: [T; 2]| cooling_step(a, b));
     try_all("smoothed_pressure", [Any, Any, Positive], extreme, |[a, b, c]: [T; 3]| {
         smoothed_pressure(a, b, c, T::lit(0.45), T::lit(0.55))
+    });
+    driving_and_polar::<T>(extreme);
+}
+
+/// Those of turbulence and of round tests.
+fn driving_and_polar<T: Float>(extreme: f64) {
+    let plane = |x: T, y: T| Vector([x, y]);
+    try_all("radial_velocity", [Any; 4], extreme, |v: [T; 4]| radial_velocity(plane(v[0], v[1]), plane(v[2], v[3])));
+    try_all("azimuthal_velocity", [Any; 4], extreme, |v: [T; 4]| {
+        azimuthal_velocity(plane(v[0], v[1]), plane(v[2], v[3]))
+    });
+    try_all("squared_velocity_difference", [Any; 2], extreme, |[a, b]: [T; 2]| {
+        squared_velocity_difference(plane(a, b))
+    });
+    try_all("squared_mach_number", [Any, Any, NotNegative], extreme, |[a, b, c]: [T; 3]| {
+        squared_mach_number(plane(a, b), c)
+    });
+    for &reading in MachReading::ALL {
+        try_all("scale_mach_number", [NotNegative; 2], extreme, |[a, b]: [T; 2]| scale_mach_number(a, b, reading));
+    }
+    for &profile in Profile::ALL {
+        try_all("driving_amplitude", [NotNegative, Positive], extreme, |[a, b]: [T; 2]| {
+            driving_amplitude::<T, 3>(a, b, profile)
+        });
+    }
+    try_all("ornstein_uhlenbeck_step", [Any, NotNegative, NotNegative, Any], extreme, |[a, b, c, d]: [T; 4]| {
+        ornstein_uhlenbeck_step(a, b, c, d)
+    });
+    try_all("project_mode", [Any; 4], extreme, |v: [T; 4]| {
+        project_mode(plane(v[0], v[1]), plane(v[2], v[3]), T::lit(0.3)).norm()
+    });
+    try_all("driving_term", [Any; 3], extreme, |[a, b, c]: [T; 3]| {
+        driving_term(a, plane(b, c), plane(c, b), T::lit(0.6), T::lit(-0.8)).norm()
     });
 }
 

@@ -1,0 +1,37 @@
+//! The shock tube in one dimension, run by the reference and compared with the exact solution.
+
+use etalon_reference::engine::{Engine, PlainEngine};
+use etalon_reference::fields;
+use etalon_reference::norms::l1_error;
+use etalon_reference::scenes::sod::{END_TIME, INTERFACE, MEASURED, Sod};
+use etalon_reference::simulation::Simulation;
+
+/// `L_1` of the velocity at the end (GS25 20), against the exact solution of the sharp start.
+fn error(particles: usize, smoothed: bool) -> f64 {
+    let scene = Sod { particles, smoothed, ..Sod::standard(1) };
+    let set = scene.particles::<1>(|_| Ok(Vec::new())).unwrap();
+    let mut simulation = Simulation::new(PlainEngine::<f64, 1>::new(&set), scene.physics()).unwrap();
+    simulation.run(END_TIME, |_| {}).unwrap();
+    let engine = simulation.engine();
+    let x: Vec<f64> = engine.coordinates(0).unwrap().iter().map(|&x| set.domain().decode(0, x)).collect();
+    let velocity = engine.read_all(fields::VELOCITY).unwrap().remove(0);
+    let exact = scene.exact().unwrap();
+    let due: Vec<f64> = x.iter().map(|x| exact.sample((x - INTERFACE) / END_TIME).velocity).collect();
+    l1_error(&velocity, &due, &x, MEASURED).unwrap()
+}
+
+/// From a sharp start the error halves with the spacing, as jumps spread over a fixed number of particles allow. From the smoothed start
+/// of GS25 (21) it stops at the 5.2e-3 by which that start's own solution differs: no scheme can be ranked below that.
+#[test]
+fn sharp_tube_converges_and_the_smoothed_one_stops_at_its_floor() {
+    let (coarse, fine) = (error(150, false), error(300, false));
+    let order = (coarse / fine).log2();
+    println!("L1 {coarse:e}, {fine:e}: order {order}");
+    // A smoothing length that lags behind the density had order 0.6; the table in docs/sod.md has 1.0 to 1.1.
+    assert!((0.85..1.6).contains(&order), "order {order}");
+    assert!(fine < 5.2e-3, "{fine:e}");
+    let smoothed = error(600, true);
+    println!("L1 from the smoothed start {smoothed:e}");
+    // The floor is known to two figures.
+    assert!((5.15e-3..7e-3).contains(&smoothed), "{smoothed:e}");
+}
