@@ -1,8 +1,9 @@
 //! The few functions beyond arithmetic that equations need, made of arithmetic and square roots only, so that every target
 //! computes the same thing. Their coefficients are fitted: see [`polynomials`](crate::polynomials).
 
-use crate::polynomials::{EXPM1_NEGATIVE, Polynomial};
+use crate::polynomials::{ARTANH, EXPM1_NEGATIVE, Polynomial, SINC};
 use crate::real::{Precision, Real};
+use std::f64::consts::{LN_2, SQRT_2, TAU};
 
 /// The coefficients that match the number type, lowest power first.
 #[inline(always)]
@@ -59,6 +60,50 @@ pub fn expm1_negative<R: Real>(y: R) -> R {
 #[inline(always)]
 pub fn exp_negative<R: Real>(y: R) -> R {
     R::one() + expm1_negative(y)
+}
+
+/// The natural logarithm of a positive number that is not subnormal.
+///
+/// Powers of two are taken out by halving, which is exact, until `x = 2^n m` with `m` between `sqrt(1/2)` and `sqrt(2)`; then
+/// `ln x = n ln 2 + 2 artanh((m - 1) / (m + 1))`. Near one `n = 0` and `m = x`, so a small logarithm keeps its relative accuracy.
+#[inline(always)]
+pub fn logarithm<R: Real>(x: R) -> R {
+    let (mut m, mut n) = (x, R::zero());
+    let mut take_out = |when: R::Mask, factor: f64, power: i32| {
+        m = R::pick(when, m * R::lit(factor), m);
+        n = R::pick(when, n + R::lit(f64::from(power)), n);
+        m
+    };
+    let mut rest = x;
+    let first = match R::PRECISION {
+        Precision::Single => 6,
+        Precision::Double => 9,
+    };
+    for k in (0..=first).rev() {
+        let power = 1 << k;
+        rest = take_out(rest.ge(R::lit(2_f64.powi(power))), 2_f64.powi(-power), power);
+        rest = take_out(rest.lt(R::lit(2_f64.powi(1 - power))), 2_f64.powi(power), -power);
+    }
+    rest = take_out(rest.gt(R::lit(SQRT_2)), 0.5, 1);
+    let z = (rest - R::one()) / (rest + R::one());
+    (z + z).mul_add(horner(&ARTANH, R::lit(4.0) * (z * z)), n * R::lit(LN_2))
+}
+
+/// The sine of an angle in turns, `sin(2 pi t)`, for `|t|` up to 16.
+///
+/// Whole turns are taken off, which is exact, until `|s| <= 1/2`; then `sin(2 pi s) = 2 pi s (1 - 4 s^2) p(4 s^2)` with the polynomial of
+/// the sinc kernels. The zeros at half turns are factors, so the result is relatively accurate near them.
+#[inline(always)]
+pub fn sine_of_turns<R: Real>(turns: R) -> R {
+    let mut rest = turns.abs();
+    for whole in [8.0, 4.0, 2.0, 1.0] {
+        rest = R::pick(rest.ge(R::lit(whole)), rest - R::lit(whole), rest);
+    }
+    let s = R::pick(rest.gt(R::lit(0.5)), rest - R::one(), rest);
+    let twice = s + s;
+    let zeros = (R::one() - twice) * (R::one() + twice);
+    let sine = (R::lit(TAU) * s) * (zeros * horner(&SINC, twice * twice));
+    R::pick(turns.lt(R::zero()), -sine, sine)
 }
 
 /// The cube root of a positive number of moderate size (1e-9 to 1e9).
@@ -141,6 +186,48 @@ mod tests {
         });
         assert!(double < 7.0 && single < 7.0, "worst error {double} (f64), {single} (f32) epsilon; budget 7");
         assert_eq!(expm1_negative(0.0), 0.0);
+    }
+
+    /// The quotient rounds three times, the polynomial and the last sum twice more: budget 6 epsilon of the logarithm itself, near one too.
+    #[test]
+    fn logarithm_is_the_logarithm() {
+        let off = |found: f64, x: f64| if x == 1.0 { found.abs() } else { (found / x.ln() - 1.0).abs() };
+        for (low, high) in [(1e-300, 1e300), (0.5, 2.0), (1.0 - 1e-6, 1.0 + 1e-6)] {
+            let double = worst(low, high, f64::EPSILON, |x| off(logarithm(x), x));
+            assert!(double < 6.0, "worst error {double} epsilon between {low} and {high}; budget 6");
+        }
+        for (low, high) in [(1e-37, 1e37), (0.5, 2.0), (1.0 - 1e-3, 1.0 + 1e-3)] {
+            let single = worst(low, high, f32::EPSILON as f64, |x| off(logarithm(x as f32) as f64, x as f32 as f64));
+            assert!(single < 6.0, "worst error {single} epsilon between {low} and {high}; budget 6");
+        }
+        assert_eq!((logarithm(1.0), logarithm(1.0_f32)), (0.0, 0.0));
+        for extreme in [f64::MIN_POSITIVE, f64::MAX, 2.0, 0.5, 4.0, 0.25] {
+            assert!(off(logarithm(extreme), extreme) < 6.0 * f64::EPSILON, "{extreme:e}");
+        }
+        for extreme in [f32::MIN_POSITIVE, f32::MAX] {
+            assert!(off(logarithm(extreme) as f64, extreme as f64) < 6.0 * f32::EPSILON as f64, "{extreme:e}");
+        }
+    }
+
+    /// Eight roundings of factors, and one of the standard library's argument: budget 8 epsilon relative, short of the half turn in `f64`,
+    /// where that argument has no digits to compare with.
+    #[test]
+    fn sine_of_turns_is_the_sine() {
+        let single = worst(1e-30, 0.49999, f32::EPSILON as f64, |t| {
+            let t = t as f32;
+            (sine_of_turns(t) as f64 / (TAU * t as f64).sin() - 1.0).abs()
+        });
+        let double = worst(1e-300, 0.3, f64::EPSILON, |t| (sine_of_turns(t) / (TAU * t).sin() - 1.0).abs());
+        assert!(single < 8.0 && double < 8.0, "worst error {double} (f64), {single} (f32) epsilon; budget 8");
+        for (turns, due) in [(0.0, 0.0), (0.25, 1.0), (0.5, 0.0), (0.75, -1.0), (1.0, 0.0), (15.25, 1.0), (-2.25, -1.0)] {
+            assert!((sine_of_turns(turns) - due).abs() < 4.0 * f64::EPSILON, "sine of {turns} turns");
+        }
+        // A twelfth of a turn is a half; whole turns change nothing, not even a bit where they are exact.
+        assert!((sine_of_turns(1.0 / 12.0) - 0.5).abs() < 4.0 * f64::EPSILON);
+        for whole in [1.0, 2.0, 5.0, 8.0, 15.0] {
+            assert_eq!(sine_of_turns(whole + 0.375), sine_of_turns(0.375));
+            assert_eq!(sine_of_turns(-whole - 0.375), -sine_of_turns(0.375));
+        }
     }
 
     #[test]
