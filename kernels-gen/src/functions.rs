@@ -219,7 +219,8 @@ mod tests {
         });
         let double = worst(1e-300, 0.3, f64::EPSILON, |t| (sine_of_turns(t) / (TAU * t).sin() - 1.0).abs());
         assert!(single < 8.0 && double < 8.0, "worst error {double} (f64), {single} (f32) epsilon; budget 8");
-        for (turns, due) in [(0.0, 0.0), (0.25, 1.0), (0.5, 0.0), (0.75, -1.0), (1.0, 0.0), (15.25, 1.0), (-2.25, -1.0)] {
+        for (turns, due) in [(0.0, 0.0), (0.25, 1.0), (0.5, 0.0), (0.75, -1.0), (1.0, 0.0), (15.25, 1.0), (-2.25, -1.0)]
+        {
             assert!((sine_of_turns(turns) - due).abs() < 4.0 * f64::EPSILON, "sine of {turns} turns");
         }
         // A twelfth of a turn is a half; whole turns change nothing, not even a bit where they are exact.

@@ -3,8 +3,8 @@
 //! Each norm takes the measured values, the reference at the same particles, the coordinate that decides which particles
 //! count (x, or a radius), and the closed range of that coordinate. All three lists are in the same order.
 
-use etalon_kernels_gen::equation;
 use crate::sum::CompensatedSum;
+use etalon_kernels_gen::equation;
 use num_traits::Float;
 
 /// A list that a norm was given.

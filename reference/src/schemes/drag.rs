@@ -1,8 +1,6 @@
 //! How drag between gas and dust is computed.
 
-use super::UnknownName;
-use std::fmt;
-use std::str::FromStr;
+use crate::choice;
 
 choice! {
     /// Which signs the drag on gas and dust has (PL20 4, 5).
