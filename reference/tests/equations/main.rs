@@ -3,6 +3,7 @@
 //! A check is meant to fail for any wrong sign, factor, exponent or argument; tolerances are counted in roundings and
 //! say from where.
 
+mod both_sides;
 #[path = "../support/check.rs"]
 mod check;
 #[path = "../support/cloud.rs"]
@@ -17,6 +18,8 @@ mod hard_inputs;
 mod hydrodynamics;
 mod kernels;
 mod motion;
+#[cfg(feature = "mutants")]
+mod mutants;
 mod quadrature;
 mod reconstruction;
 mod velocity_gradients;
