@@ -1,5 +1,8 @@
 //! What the [`equation`](crate::equation) macro leaves behind: an entry per equation, and the names of values.
 
+#[cfg(feature = "mutants")]
+pub mod mutants;
+
 use crate::real::Choose;
 
 /// An equation of this program, as it was written.
@@ -65,6 +68,8 @@ impl<M: Copy, T: Choose<M>, const N: usize> Choose<M> for [T; N] {
 /// What the macro's output refers to. Not for direct use.
 pub mod private {
     pub use super::EquationEntry;
+    #[cfg(feature = "mutants")]
+    pub use super::mutants;
     use crate::real::Nameable;
     pub use inventory;
     use std::marker::PhantomData;

@@ -23,10 +23,12 @@ mod scalar;
 pub mod trace;
 mod vector;
 
+#[cfg(feature = "mutants")]
+pub use equation::mutants;
 #[doc(hidden)]
 pub use equation::private as __private;
 pub use equation::{EquationEntry, registered};
-pub use etalon_kernels_gen_macros::equation;
+pub use etalon_kernels_gen_macros::{equation, equation_part};
 pub use pass::{Footprint, Pass, Separation, Update};
 pub use real::{Choose, Mask, Nameable, Precision, Real};
 pub use record::{Component, Field, Quantity, Rank, Record, Reduction, Scalar, components};

@@ -3,7 +3,7 @@
 
 mod source;
 
-use etalon_equation_syntax::{Surroundings, expand};
+use etalon_equation_syntax::{Place, Surroundings, expand, expand_part};
 use proc_macro::TokenStream;
 
 /// Makes a generic function an equation of the ledger.
@@ -23,5 +23,22 @@ use proc_macro::TokenStream;
 pub fn equation(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let check_id = |id: &str| etalon_spec::exists(id).map(drop).map_err(|error| error.to_string());
     let source_text = source::text(&item);
-    expand(attribute.into(), item.into(), &Surroundings { check_id: &check_id, source_text }).into()
+    expand(attribute.into(), item.into(), &Surroundings { check_id: &check_id, source_text, mutants: mutants() }).into()
+}
+
+/// Marks a function that equations are made of and that is none itself, such as the determinant of a matrix.
+///
+/// It is left as it is. With the feature `mutants` it gets mutants as equations do, for the tests of the tests.
+#[proc_macro_attribute]
+pub fn equation_part(_attribute: TokenStream, item: TokenStream) -> TokenStream {
+    expand_part(item.into(), &Surroundings { mutants: mutants(), ..Surroundings::NONE }).into()
+}
+
+/// Where tokens stand, if equations are to carry their mutants.
+fn mutants() -> Option<&'static dyn Fn(proc_macro2::Span) -> Place> {
+    fn place_of(span: proc_macro2::Span) -> Place {
+        let span = span.unwrap();
+        Place { line: span.line(), column: span.column() }
+    }
+    if cfg!(feature = "mutants") { Some(&place_of) } else { None }
 }

@@ -1,12 +1,19 @@
 //! The translated function, with its documentation, its body under the equation's name, and its entry in the registry.
 
 use crate::arguments::Source;
+use crate::mutants::{Mutant, Planted};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
-use syn::{AttrStyle, Attribute, Ident, ItemFn, ReturnType, Type};
+use syn::{AttrStyle, Attribute, Block, Ident, ItemFn, ReturnType, Type};
 
 /// The whole of what the macro puts in place of the function.
-pub(crate) fn function(function: ItemFn, real: &Ident, source: &Source, text: &str) -> TokenStream {
+pub(crate) fn function(
+    function: ItemFn,
+    real: &Ident,
+    source: &Source,
+    text: &str,
+    mutants: Option<Planted>,
+) -> TokenStream {
     let ItemFn { attrs, vis, sig, block } = function;
     let (outer, inner) = sides(attrs);
     let name = unraw(&sig.ident);
@@ -18,15 +25,19 @@ pub(crate) fn function(function: ItemFn, real: &Ident, source: &Source, text: &s
         ReturnType::Type(_, ty) if !has_impl(ty) => sig.output.to_token_stream(),
         _ => quote!(),
     };
+    let Around { allowed, entries, exchanges, block } = around(*block, &sig.output, &name, mutants);
     // The language has no loops but those over ranges, so clippy must not ask for others.
     quote! {
         #(#outer)*
         #documentation
         #[inline(always)]
         #[allow(clippy::needless_range_loop)]
+        #allowed
         #vis #sig {
             #(#inner)*
             #entry
+            #entries
+            #exchanges
             <#real as ::etalon_kernels_gen::Real>::equation(#label, #name, #[inline(always)] || #output #block)
         }
     }
@@ -82,6 +93,84 @@ fn entry(name: &str, source: &Source, text: &str) -> TokenStream {
                 unnumbered: #unnumbered,
             }
         }
+    }
+}
+
+/// A part of equations, with its mutants.
+pub(crate) fn part(function: ItemFn, mutants: Option<Planted>) -> TokenStream {
+    let ItemFn { attrs, vis, sig, block } = function;
+    let (outer, inner) = sides(attrs);
+    let Around { allowed, entries, exchanges, block } = around(*block, &sig.output, &unraw(&sig.ident), mutants);
+    quote! {
+        #(#outer)*
+        #allowed
+        #vis #sig {
+            #(#inner)*
+            #entries
+            #exchanges
+            #block
+        }
+    }
+}
+
+/// A body and what its mutants put around it; without mutants, the body.
+struct Around {
+    allowed: TokenStream,
+    entries: TokenStream,
+    exchanges: TokenStream,
+    block: TokenStream,
+}
+
+fn around(block: Block, output: &ReturnType, name: &str, mutants: Option<Planted>) -> Around {
+    let Some(Planted { list, prologue }) = mutants else {
+        return Around { allowed: quote!(), entries: quote!(), exchanges: quote!(), block: block.to_token_stream() };
+    };
+    let block = match (prologue.negates, output) {
+        (Some(is_active), ReturnType::Type(_, ty)) => {
+            let result = Ident::new("result", proc_macro2::Span::mixed_site());
+            let sign = quote!(::etalon_kernels_gen::__private::mutants::Sign);
+            quote!({
+                let #result: #ty = #block;
+                if #is_active { #sign::of(&#result).negated(#result) } else { #result }
+            })
+        }
+        _ => block.to_token_stream(),
+    };
+    Around {
+        // Variants are odd code, and meant to be.
+        allowed: quote!(#[allow(warnings, clippy::all, arithmetic_overflow, unconditional_panic)]),
+        entries: mutant_entries(&list, name),
+        exchanges: prologue.exchanges,
+        block,
+    }
+}
+
+/// The list of an equation's mutants, and what asks for the active one.
+fn mutant_entries(mutants: &[Mutant], name: &str) -> TokenStream {
+    let mutants = mutants.iter().map(|mutant| {
+        let Mutant { operator, original, mutated, place } = mutant;
+        // A tool that counts lines in u32 is what the compiler is, too.
+        let (line, column) = (place.line as u32, place.column as u32);
+        quote!(::etalon_kernels_gen::__private::mutants::Mutant {
+            operator: #operator,
+            original: #original,
+            mutated: #mutated,
+            line: #line,
+            column: #column,
+        })
+    });
+    quote! {
+        static ETALON_MUTANTS: ::etalon_kernels_gen::__private::mutants::Switch =
+            ::etalon_kernels_gen::__private::mutants::Switch::new(::core::module_path!(), #name);
+        ::etalon_kernels_gen::__private::inventory::submit! {
+            ::etalon_kernels_gen::__private::mutants::MutatedEquation {
+                module_path: ::core::module_path!(),
+                name: #name,
+                file: ::core::file!(),
+                mutants: &[#(#mutants),*],
+            }
+        }
+        ETALON_MUTANTS.reach();
     }
 }
 

@@ -13,13 +13,15 @@ mod arguments;
 mod emit;
 mod errors;
 mod macros;
+mod mutants;
 mod scopes;
 mod signature;
 mod translate;
 
 use arguments::Arguments;
 use errors::Errors;
-use proc_macro2::TokenStream;
+pub use mutants::Place;
+use proc_macro2::{Span, TokenStream};
 use syn::ItemFn;
 
 /// What the library cannot know by itself.
@@ -28,11 +30,13 @@ pub struct Surroundings<'a> {
     pub check_id: &'a dyn Fn(&str) -> Result<(), String>,
     /// The function as its author wrote it, if the compiler still has the text; else its tokens are printed.
     pub source_text: Option<String>,
+    /// Whether the function is to carry its mutants, and if so where a token stands in its file.
+    pub mutants: Option<&'a dyn Fn(Span) -> Place>,
 }
 
 impl Surroundings<'_> {
-    /// Any id is good and no source text is known: for tests.
-    pub const NONE: Surroundings<'static> = Surroundings { check_id: &|_| Ok(()), source_text: None };
+    /// Any id is good, no source text is known, and there are no mutants: for tests.
+    pub const NONE: Surroundings<'static> = Surroundings { check_id: &|_| Ok(()), source_text: None, mutants: None };
 }
 
 /// Translates the function `item` under `#[equation(attribute)]`.
@@ -61,6 +65,29 @@ pub fn expand(attribute: TokenStream, item: TokenStream, around: &Surroundings) 
     }
 }
 
+/// A function that equations are made of and that is none itself: left as it is, unless it is to carry mutants.
+pub fn expand_part(item: TokenStream, around: &Surroundings) -> TokenStream {
+    let Some(place_of) = around.mutants else { return item };
+    let mut function = match parse(item) {
+        Ok(function) => function,
+        Err(error) => return error.to_compile_error(),
+    };
+    let mut errors = Errors::default();
+    let reals = signature::real_parameters(&function.sig.generics);
+    let Some(real) = reals.first() else {
+        errors.at(
+            &function.sig.ident,
+            "a part of an equation is generic over its number type: write `fn name<R: Real>(...)`",
+        );
+        return errors.finish().map_or_else(|error| error.to_compile_error(), |()| TokenStream::new());
+    };
+    let planted = translate::body(&mut function, real, &mut errors, Some(mutants::Mutants::new(place_of)));
+    match errors.finish() {
+        Ok(()) => emit::part(function, planted),
+        Err(error) => error.to_compile_error(),
+    }
+}
+
 fn parse(item: TokenStream) -> syn::Result<ItemFn> {
     syn::parse2(item).map_err(|mut error| {
         error.combine(syn::Error::new(error.span(), "#[equation] stands on a function with a body"));
@@ -78,12 +105,11 @@ fn translate_function(attribute: TokenStream, mut function: ItemFn, around: &Sur
         return Ok(emit::host(function, source, &text));
     }
     let real = signature::check(&function, &mut errors);
-    if let Some(real) = &real {
-        translate::body(&mut function, real, &mut errors);
-    }
+    let mutants = around.mutants.map(mutants::Mutants::new);
+    let planted = real.as_ref().and_then(|real| translate::body(&mut function, real, &mut errors, mutants));
     errors.finish()?;
     match (arguments, real) {
-        (Some(arguments), Some(real)) => Ok(emit::function(function, &real, &arguments.source, &text)),
+        (Some(arguments), Some(real)) => Ok(emit::function(function, &real, &arguments.source, &text, planted)),
         // Without an error both are there; this is only to have no panic even so.
         _ => Err(syn::Error::new(proc_macro2::Span::call_site(), "the equation could not be understood")),
     }

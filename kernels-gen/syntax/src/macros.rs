@@ -64,7 +64,7 @@ impl Translator<'_> {
             return;
         }
         let mut translated = expr.clone();
-        self.visit_expr_mut(&mut translated);
+        self.without_mutants(|this| this.visit_expr_mut(&mut translated));
         if translated.to_token_stream().to_string() != expr.to_token_stream().to_string() {
             self.errors
                 .at(&expr, format!("nothing is translated inside `{name}!`: give this a name with `let` before it"));

@@ -85,7 +85,7 @@ fn documents(attribute: &Attribute) -> bool {
 }
 
 /// The type parameters with a bound called `Real`, whether beside them or in the where clause.
-fn real_parameters(generics: &Generics) -> Vec<Ident> {
+pub(crate) fn real_parameters(generics: &Generics) -> Vec<Ident> {
     let is_real = |bound: &TypeParamBound| match bound {
         TypeParamBound::Trait(bound) => bound.path.segments.last().is_some_and(|segment| segment.ident == "Real"),
         _ => false,

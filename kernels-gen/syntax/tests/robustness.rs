@@ -1,6 +1,6 @@
 //! Whatever is thrown at it, the library answers: it never panics, and what it accepts is Rust.
 
-use etalon_equation_syntax::{Surroundings, expand, translate};
+use etalon_equation_syntax::{Place, Surroundings, expand, translate};
 use proptest::prelude::*;
 
 /// Words of the language and its neighbourhood.
@@ -138,7 +138,8 @@ fn function(body: &str) -> String {
     format!("/// D.\nfn f<R: Real, const D: usize>(x: R, y: R, v: Vector<R, D>, n: usize) -> R {{ {body} }}")
 }
 
-/// Runs both entries on it. The assertion is that they return, and that anything accepted parses.
+/// Runs both entries on it, and with mutants. The assertion is that they return, that anything accepted parses, and that mutants
+/// change nothing about what is accepted.
 fn answers(attribute: &str, item: &str) -> bool {
     let (Ok(attribute), Ok(item)) =
         (attribute.parse::<proc_macro2::TokenStream>(), item.parse::<proc_macro2::TokenStream>())
@@ -147,7 +148,15 @@ fn answers(attribute: &str, item: &str) -> bool {
     };
     let expanded = expand(attribute.clone(), item.clone(), &Surroundings::NONE);
     syn::parse2::<syn::File>(expanded).expect("what the compiler gets is Rust, or compile_error!");
-    translate(attribute, item, &Surroundings::NONE).is_ok()
+    let place_of = |_| Place::default();
+    let around = Surroundings { mutants: Some(&place_of), ..Surroundings::NONE };
+    let with_mutants = translate(attribute.clone(), item.clone(), &around);
+    let is_accepted = translate(attribute, item, &Surroundings::NONE).is_ok();
+    assert_eq!(with_mutants.is_ok(), is_accepted);
+    if let Ok(tokens) = with_mutants {
+        syn::parse2::<syn::File>(tokens).expect("an equation with its mutants is Rust");
+    }
+    is_accepted
 }
 
 proptest! {

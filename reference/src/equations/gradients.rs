@@ -3,7 +3,7 @@
 //! `x_ba = x_b - x_a` points from the particle to its neighbour; so do the vectors `A_ab`.
 
 use etalon_kernels_gen::functions::ratio_or_zero;
-use etalon_kernels_gen::{Matrix, Real, Symmetric, Vector, equation};
+use etalon_kernels_gen::{Matrix, Real, Symmetric, Vector, equation, equation_part};
 
 /// Below this quality (see [`inverse_moments`]) the moment matrix is lifted before it is inverted.
 ///
@@ -77,6 +77,7 @@ pub fn integral_gradient<R: Real, const D: usize>(c: Symmetric<R, D>, x_ba: Vect
 }
 
 /// The determinant of a symmetric matrix of up to three dimensions.
+#[equation_part]
 #[inline(always)]
 pub(super) fn determinant<R: Real, const D: usize>(m: Symmetric<R, D>) -> R {
     m.row(0).dot(Vector::from_fn(
@@ -86,6 +87,7 @@ pub(super) fn determinant<R: Real, const D: usize>(m: Symmetric<R, D>) -> R {
 }
 
 /// The matrix of cofactors, which divided by the determinant is the inverse.
+#[equation_part]
 #[inline(always)]
 fn adjugate<R: Real, const D: usize>(m: Symmetric<R, D>) -> Symmetric<R, D> {
     Symmetric::from_fn(
@@ -95,6 +97,7 @@ fn adjugate<R: Real, const D: usize>(m: Symmetric<R, D>) -> Symmetric<R, D> {
 }
 
 /// The determinant of what is left without row `i` and column `j`, with its sign.
+#[equation_part]
 #[inline(always)]
 fn cofactor<R: Real, const D: usize>(m: Symmetric<R, D>, i: usize, j: usize) -> R {
     match D {

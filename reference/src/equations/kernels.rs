@@ -6,7 +6,7 @@
 use crate::schemes::Kernel;
 use etalon_kernels_gen::functions::{horner, horner_derivative};
 use etalon_kernels_gen::polynomials::{SINC, SINC_4_NORMALISATION, SINC_9_NORMALISATION};
-use etalon_kernels_gen::{Real, equation};
+use etalon_kernels_gen::{Real, equation, equation_part};
 use std::f64::consts::PI;
 
 /// A kernel's value and slope at one distance.
@@ -47,6 +47,7 @@ fn central_constant<const D: usize>(kernel: Kernel) -> f64 {
 }
 
 /// `h^-D` from `1/h`.
+#[equation_part]
 #[inline(always)]
 pub fn inverse_volume<R: Real, const D: usize>(inverse_h: R) -> R {
     inverse_h.power(D as u32)

@@ -115,6 +115,14 @@ fn ramp_meets_both_ends() {
     assert!(values.windows(2).all(|w| w[1] <= w[0]));
 }
 
+/// At an Atwood number of 0.2 the ramp has ended: the power of one is the ratio itself, and it has no limit of three.
+#[test]
+fn end_of_the_ramp_is_a_contact() {
+    // 0.5 / 2.5; (0.2 - 0.1) * 10 is one in both precisions.
+    assert_eq!(crossed_weight(1.5, 1.0, 1.0, 40.0), 1.0 / 40.0);
+    assert_eq!(crossed_weight(1.0, 1.5, 40.0, 1.0), 40.0);
+}
+
 /// Ratios of more than three cannot be had inside the ramp without strange masses; what is beyond three grows linearly.
 #[test]
 fn ramp_is_linear_beyond_a_ratio_of_three() {

@@ -3,6 +3,7 @@
 //! A check is meant to fail for any wrong sign, factor, exponent or argument; tolerances are counted in roundings and
 //! say from where.
 
+mod both_sides;
 #[path = "../support/check.rs"]
 mod check;
 #[path = "../support/cloud.rs"]
@@ -25,6 +26,8 @@ mod hydrodynamics;
 mod kernels;
 mod limiters;
 mod motion;
+#[cfg(feature = "mutants")]
+mod mutants;
 mod polar;
 mod quadrature;
 mod reconstruction;

@@ -2,7 +2,7 @@
 
 use super::{Translator, generated};
 use crate::scopes::{Boundary, Kind};
-use quote::quote_spanned;
+use quote::{ToTokens, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit_mut::VisitMut;
 use syn::{Expr, ExprIf, ExprMatch};
@@ -32,7 +32,11 @@ impl Translator<'_> {
     /// An `if` that is decided while generating: it stays.
     fn decided(&mut self, branch: &mut ExprIf) {
         self.within(Boundary::Plain, |this| {
+            let written = this.is_mutating().then(|| branch.cond.clone());
             this.condition_with_let(&mut branch.cond);
+            if let Some(written) = written {
+                this.mutate_flag(&written, branch.if_token.span(), &mut branch.cond);
+            }
             this.visit_block_mut(&mut branch.then_branch);
         });
         if let Some((_, otherwise)) = &mut branch.else_branch {
@@ -65,6 +69,7 @@ impl Translator<'_> {
             *branch.cond = inner;
         }
         let span = generated(branch.if_token.span());
+        let written = self.is_mutating().then(|| branch.cond.clone());
         match self.kind(&branch.cond) {
             Kind::Flag | Kind::Integer => {
                 self.errors.at(
@@ -84,6 +89,10 @@ impl Translator<'_> {
         }
         let choose = Self::mask_function(name, branch.if_token.span());
         let condition = super::comparisons::without_parentheses(Self::take(&mut branch.cond));
+        let condition = match written {
+            Some(written) => self.mutate_mask(&written, span, condition.to_token_stream()),
+            None => condition.to_token_stream(),
+        };
         let yes = &branch.then_branch;
         let no = branch.else_branch.as_ref().map(|(_, otherwise)| otherwise);
         Expr::Verbatim(quote_spanned!(span=> #choose(#condition, #[inline(always)] || #yes, #[inline(always)] || #no)))

@@ -18,7 +18,8 @@ impl Translator<'_> {
             }
             if path.path.segments.len() > 1 && path.path.segments.last().is_some_and(|s| s.ident == "lit") {
                 self.constants += 1;
-                visit_mut::visit_expr_call_mut(self, call);
+                self.without_mutants(|this| this.visit_expr_mut(&mut call.func));
+                call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
                 self.constants -= 1;
                 return;
             }
@@ -91,7 +92,8 @@ impl Translator<'_> {
                 );
             }
         }
-        visit_mut::visit_expr_cast_mut(self, cast);
+        // A cast is mutated as a whole.
+        self.without_mutants(|this| visit_mut::visit_expr_cast_mut(this, cast));
     }
 }
 

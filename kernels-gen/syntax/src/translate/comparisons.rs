@@ -12,6 +12,16 @@ pub(crate) fn is_order(operator: &BinOp) -> bool {
     matches!(operator, BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_))
 }
 
+/// Its name in the number trait.
+pub(crate) fn order_name(operator: &BinOp) -> &'static str {
+    match operator {
+        BinOp::Lt(_) => "lt",
+        BinOp::Le(_) => "le",
+        BinOp::Gt(_) => "gt",
+        _ => "ge",
+    }
+}
+
 fn is_compound(operator: &BinOp) -> bool {
     use BinOp::{AddAssign, DivAssign, MulAssign, RemAssign, SubAssign};
     matches!(operator, AddAssign(_) | SubAssign(_) | MulAssign(_) | DivAssign(_) | RemAssign(_))
@@ -68,18 +78,16 @@ impl Translator<'_> {
 
     /// `a < b` as `<R as Real>::lt(a, b)`.
     fn comparison(&mut self, binary: &mut ExprBinary) -> Expr {
-        let name = match binary.op {
-            BinOp::Lt(_) => "lt",
-            BinOp::Le(_) => "le",
-            BinOp::Gt(_) => "gt",
-            _ => "ge",
-        };
-        let function = self.real_function(name, binary.op.span());
+        let function = self.real_function(order_name(&binary.op), binary.op.span());
+        let written = self.is_mutating().then(|| binary.clone());
         let (mut left, mut right) = (Self::take(&mut binary.left), Self::take(&mut binary.right));
         self.visit_expr_mut(&mut left);
         self.visit_expr_mut(&mut right);
         let (left, right) = (without_parentheses(left), without_parentheses(right));
-        Expr::Verbatim(quote_spanned!(generated(binary.op.span())=> #function(#left, #right)))
+        Expr::Verbatim(match written {
+            Some(written) => self.mutate_comparison(&written, function, [left, right]),
+            None => quote_spanned!(generated(binary.op.span())=> #function(#left, #right)),
+        })
     }
 
     /// `a && b` of masks as `Mask::and(a, b)`.
@@ -88,11 +96,15 @@ impl Translator<'_> {
         let name = if matches!(binary.op, BinOp::And(_)) { "and" } else { "or" };
         let function = Self::mask_function(name, binary.op.span());
         let span = generated(binary.op.span());
+        let written = self.is_mutating().then(|| binary.clone());
         let (mut left, mut right) = (Self::take(&mut binary.left), Self::take(&mut binary.right));
         self.mask(&mut left);
         self.mask(&mut right);
         let (left, right) = (without_parentheses(left), without_parentheses(right));
-        *expr = Expr::Verbatim(quote_spanned!(span=> #function(#left, #right)));
+        *expr = Expr::Verbatim(match written {
+            Some(written) => self.mutate_joined(&written, function, [left, right]),
+            None => quote_spanned!(span=> #function(#left, #right)),
+        });
     }
 
     /// Translates an operand that has to be a mask.

@@ -7,18 +7,30 @@ mod kinds;
 mod literals;
 mod statements;
 
+pub(crate) use comparisons::{is_order, order_name};
+
 use crate::errors::Errors;
+use crate::mutants::{Mutants, Planted};
 use crate::scopes::{Boundary, Scopes};
 use proc_macro2::{Span, TokenStream};
 use quote::quote_spanned;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Attribute, Block, Expr, ExprClosure, Ident, ItemFn, Pat, Stmt, Type};
+use syn::{
+    Attribute, Block, Expr, ExprClosure, ExprField, ExprIndex, ExprRepeat, GenericArgument, Ident, ItemFn, Pat, Stmt,
+    Type,
+};
 
-/// Translates a function's body in place.
-pub(crate) fn body(function: &mut ItemFn, real: &Ident, errors: &mut Errors) {
+/// Translates a function's body in place; plants its mutants if it is to have any.
+pub(crate) fn body(
+    function: &mut ItemFn,
+    real: &Ident,
+    errors: &mut Errors,
+    mutants: Option<Mutants>,
+) -> Option<Planted> {
     let scopes = Scopes::of_function(&function.sig, real);
-    let mut translator = Translator { scopes, errors, constants: 0 };
+    let mut translator = Translator { scopes, errors, constants: 0, mutants };
     translator.visit_block_mut(&mut function.block);
+    translator.mutants.map(|mutants| mutants.finish(function, &real.to_string()))
 }
 
 pub(crate) struct Translator<'a> {
@@ -26,6 +38,8 @@ pub(crate) struct Translator<'a> {
     pub(crate) errors: &'a mut Errors,
     /// How many `R::lit(...)` we are inside of: there, ordinary `f64` arithmetic is meant.
     pub(crate) constants: usize,
+    /// The faults that the translation can be given, if it is to have any.
+    pub(crate) mutants: Option<Mutants<'a>>,
 }
 
 impl Translator<'_> {
@@ -57,6 +71,16 @@ impl Translator<'_> {
         self.scopes.close();
     }
 
+    /// What a member or an element is taken of: `TABLE[k]` is one constant, and the table is none.
+    fn base(&mut self, base: &mut Expr) {
+        match base {
+            Expr::Path(_) => self.without_mutants(|this| this.visit_expr_mut(base)),
+            // Of `a.b.c` only the last is a number.
+            Expr::Field(field) => self.base(&mut field.base),
+            _ => self.visit_expr_mut(base),
+        }
+    }
+
     fn closure(&mut self, closure: &mut ExprClosure) {
         if let Some(token) = &closure.asyncness {
             self.errors.at(token, "an equation is plain arithmetic: remove `async`");
@@ -81,6 +105,7 @@ impl VisitMut for Translator<'_> {
     fn visit_attribute_mut(&mut self, _: &mut Attribute) {}
 
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
+        let written = self.is_mutating().then(|| expr.clone());
         match expr {
             Expr::Lit(literal) => {
                 if let Some(new) = self.literal(literal) {
@@ -117,6 +142,27 @@ impl VisitMut for Translator<'_> {
             Expr::Const(_) => {}
             _ => visit_mut::visit_expr_mut(self, expr),
         }
+        if let Some(written) = written {
+            self.mutate(&written, expr);
+        }
+    }
+
+    fn visit_expr_repeat_mut(&mut self, repeat: &mut ExprRepeat) {
+        self.visit_expr_mut(&mut repeat.expr);
+        self.without_mutants(|this| this.visit_expr_mut(&mut repeat.len));
+    }
+
+    fn visit_expr_index_mut(&mut self, index: &mut ExprIndex) {
+        self.base(&mut index.expr);
+        self.visit_expr_mut(&mut index.index);
+    }
+
+    fn visit_expr_field_mut(&mut self, field: &mut ExprField) {
+        self.base(&mut field.base);
+    }
+
+    fn visit_generic_argument_mut(&mut self, argument: &mut GenericArgument) {
+        self.without_mutants(|this| visit_mut::visit_generic_argument_mut(this, argument));
     }
 
     fn visit_block_mut(&mut self, block: &mut Block) {
@@ -141,6 +187,6 @@ impl VisitMut for Translator<'_> {
                 .at(&*ty, format!("a value of an equation has its number type: write `{real}` instead of `{name}`"));
             return;
         }
-        visit_mut::visit_type_mut(self, ty);
+        self.without_mutants(|this| visit_mut::visit_type_mut(this, ty));
     }
 }

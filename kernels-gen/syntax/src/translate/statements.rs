@@ -90,7 +90,8 @@ impl Translator<'_> {
 
     pub(crate) fn assignment(&mut self, assignment: &mut ExprAssign) {
         self.refuse_change(&assignment.left);
-        visit_mut::visit_expr_assign_mut(self, assignment);
+        self.without_mutants(|this| this.visit_expr_mut(&mut assignment.left));
+        self.visit_expr_mut(&mut assignment.right);
     }
 
     /// `sum += x` as `sum = sum + x`: the number trait has no `+=`, which symbols could not record. Places that would have to
@@ -100,7 +101,9 @@ impl Translator<'_> {
         let Expr::Binary(binary) = expr else { return };
         self.refuse_change(&binary.left);
         let is_integer = self.kind(&binary.left) == Kind::Integer;
-        visit_mut::visit_expr_binary_mut(self, binary);
+        let written = self.is_mutating().then(|| binary.clone());
+        self.without_mutants(|this| this.visit_expr_mut(&mut binary.left));
+        self.visit_expr_mut(&mut binary.right);
         let span = generated(binary.op.span());
         let operator = match binary.op {
             AddAssign(_) => quote_spanned!(span=> +),
@@ -122,7 +125,10 @@ impl Translator<'_> {
             | Expr::Paren(_)) => simple.to_token_stream(),
             other => quote_spanned!(span=> (#other)),
         };
-        *expr = Expr::Verbatim(quote_spanned!(span=> #place = #place #operator #value));
+        *expr = Expr::Verbatim(match written {
+            Some(written) => self.mutate_accumulation(&written, place.to_token_stream(), operator, value),
+            None => quote_spanned!(span=> #place = #place #operator #value),
+        });
     }
 
     pub(crate) fn reference(&mut self, reference: &mut ExprReference) {
