@@ -10,7 +10,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-TOP = {".ci", "backends", "docs", "fuzz", "kernels-gen", "reference", "spec", "src", "tests"}
+TOP = {".ci", "audit", "backends", "docs", "fuzz", "kernels-gen", "reference", "spec", "src", "tests"}
 # Left behind by builds.
 SKIPPED = {"target", "book", "corpus", "artifacts"}
 

@@ -1,7 +1,7 @@
-"""Writes kernels-gen/src/polynomials.rs and kernel_values.toml beside this file.
+"""Writes kernels-gen/src/polynomials.rs, kernel_values.toml and function_values.toml beside this file.
 
-    python3 kernels-gen/coefficients/fit.py           write both
-    python3 kernels-gen/coefficients/fit.py --check   exit 1 unless both are what would be written
+    python3 kernels-gen/coefficients/fit.py           write all three
+    python3 kernels-gen/coefficients/fit.py --check   exit 1 unless all are what would be written
 """
 
 import argparse
@@ -10,17 +10,21 @@ from pathlib import Path
 
 from mpmath import mp, mpf
 
+import functions
 import kernels
 import render
 import series
-from minimax import minimax_rounded
+from minimax import minimax, minimax_rounded
 
 HERE = Path(__file__).resolve().parent
 RUST_FILE = HERE.parent / "src" / "polynomials.rs"
 TABLE_FILE = HERE / "kernel_values.toml"
+FUNCTION_FILE = HERE / "function_values.toml"
 
 SINGLE_BITS, DOUBLE_BITS = 24, 53
 SAMPLES = 160  # Chebyshev points: at least twelve in each half-wave of the error
+# A fit of 32 digits in powers of t is so ill-conditioned that it eats about 30 digits.
+EXTENDED_DIGITS = 100
 
 
 def fit(function, degree, bits):
@@ -28,11 +32,26 @@ def fit(function, degree, bits):
 
     All functions here are 1 at 0, and kernels promise the exact value there (w(0), exp(0) = 1).
     """
-    points = [(1 - mp.cos(mp.pi * k / SAMPLES)) / 2 for k in range(1, SAMPLES + 1)]
+    rows, targets = samples_of(function, degree, SAMPLES)
+    return [mpf(1)] + minimax_rounded(rows, targets, bits)
+
+
+def samples_of(function, degree, count):
+    """Powers and targets at Chebyshev points, divided by the function."""
+    points = [(1 - mp.cos(mp.pi * k / count)) / 2 for k in range(1, count + 1)]
     values = [series.evaluate(function, t) for t in points]
     rows = [[t**j / f for j in range(1, degree + 1)] for t, f in zip(points, values)]
-    targets = [(f - 1) / f for f in values]
-    return [mpf(1)] + minimax_rounded(rows, targets, bits)
+    return rows, [(f - 1) / f for f in values]
+
+
+def extended_fit(series_of, degree):
+    """The same for the oracle: each coefficient is the sum of two f64, 106 bits or a little more.
+
+    Rounding them costs some 1e-32, as much as the fit itself, so they are not fitted again.
+    """
+    with mp.workdps(EXTENDED_DIGITS):
+        coefficients, _ = minimax(*samples_of(series_of(), degree, 12 * (degree + 1)))
+    return [mpf(1)] + [sum(map(mpf, render.pair(value))) for value in coefficients]
 
 
 def certified(function, coefficients):
@@ -48,6 +67,7 @@ def sinc_text():
     """`SINC` and the errors of its slope."""
     function = series.reduced_sinc_series()
     fits = [fit(function, 6, SINGLE_BITS), fit(function, 10, DOUBLE_BITS)]
+    fits.append(extended_fit(series.reduced_sinc_series, 17))
     slope = series.derivative(series.sinc_series())
     slope_errors = [
         certified(slope, series.derivative(series.times_one_minus(coefficients)))
@@ -61,7 +81,8 @@ def sinc_text():
         "there is that of p; p(0) = 1 exactly. The bounds are relative to p, hence also to the sinc.",
         [(coefficients, certified(function, coefficients)) for coefficients in fits],
     )
-    for word, coefficients_word, error in zip(("SINGLE", "DOUBLE"), ("single", "double"), slope_errors):
+    words = ("single", "double", "extended")
+    for word, coefficients_word, error in zip(map(str.upper, words), words, slope_errors):
         text += "\n" + render.rust_constant(
             f"SINC_SLOPE_{word}_ERROR",
             f"Certified bound of the relative error of d/dt \\[(1 - t) p(t)\\] with [`SINC`]'s `{coefficients_word}`\n"
@@ -76,6 +97,7 @@ def expm1_text():
     """`EXPM1_NEGATIVE`."""
     function = series.reduced_expm1_series()
     fits = [fit(function, 6, SINGLE_BITS), fit(function, 11, DOUBLE_BITS)]
+    fits.append(extended_fit(series.reduced_expm1_series, 21))
     return render.rust_polynomial(
         "EXPM1_NEGATIVE",
         "P(x) with exp(-x) - 1 = -x P(x), x in \\[0, 1\\].\n"
@@ -91,6 +113,7 @@ def artanh_text():
     """`ARTANH`."""
     function = series.reduced_artanh_series()
     fits = [fit(function, 6, SINGLE_BITS), fit(function, 14, DOUBLE_BITS)]
+    fits.append(extended_fit(series.reduced_artanh_series, 27))
     return render.rust_polynomial(
         "ARTANH",
         "P(t) with artanh z = z P(t), t = 4 z^2 in \\[0, 1\\], |z| <= 1/2.\n"
@@ -104,11 +127,11 @@ def normalisation_text():
     """B of S_4 and S_9."""
     text = ""
     for n in (4, 9):
-        values = [float(value) for value in kernels.sinc_normalisation(n)]
+        values = kernels.sinc_normalisation(n)
         text += "\n" + render.rust_constant(
             f"SINC_{n}_NORMALISATION",
             f"B in 1, 2 and 3 dimensions: S_{n} = B sinc(pi q/2)^{n} has unit integral over its support q < 2.",
-            "[f64; 3]",
+            "[Constant; 3]",
             render.rust_array(values),
         )
     values = [float(value) for value in kernels.inverse_second_moments()]
@@ -131,6 +154,7 @@ def main():
     texts = {
         RUST_FILE: render.RUST_HEADER + "\n" + polynomials + render.RUST_FOOTER,
         TABLE_FILE: render.kernel_table(kernels.all_kernels(), kernels.check_points),
+        FUNCTION_FILE: render.function_table(functions.all_functions()),
     }
     differing = []
     for path, text in texts.items():

@@ -137,7 +137,7 @@ impl<P: Roundoff> Real for Bounded<P> {
     fn lit(value: f64) -> Self {
         let rounded = match P::PRECISION {
             Precision::Single => f64::from(value as f32),
-            Precision::Double => value,
+            Precision::Double | Precision::Extended => value,
         };
         Self::new(value, (value - rounded).abs())
     }

@@ -1,26 +1,38 @@
 //! The few functions beyond arithmetic that equations need, made of arithmetic and square roots only, so that every target
 //! computes the same thing. Their coefficients are fitted: see [`polynomials`](crate::polynomials).
 
+use crate::constant::Constant;
 use crate::polynomials::{ARTANH, EXPM1_NEGATIVE, Polynomial, SINC};
 use crate::real::{Precision, Real};
-use std::f64::consts::{LN_2, SQRT_2, TAU};
+use std::f64::consts::SQRT_2;
 
-/// The coefficients that match the number type, lowest power first.
+/// How many coefficients the number type deserves.
 #[inline(always)]
-pub fn coefficients<R: Real>(polynomial: &Polynomial) -> &'static [f64] {
+fn length<R: Real>(polynomial: &Polynomial) -> usize {
     match R::PRECISION {
-        Precision::Single => polynomial.single,
-        Precision::Double => polynomial.double,
+        Precision::Single => polynomial.single.len(),
+        Precision::Double => polynomial.double.len(),
+        Precision::Extended => polynomial.extended.len(),
+    }
+}
+
+/// `factor` times the coefficient of the `k`-th power in the set that matches the number type.
+#[inline(always)]
+fn coefficient<R: Real>(polynomial: &Polynomial, k: usize, factor: f64) -> R {
+    match R::PRECISION {
+        Precision::Single => R::lit(polynomial.single[k] * factor),
+        Precision::Double => R::lit(polynomial.double[k] * factor),
+        Precision::Extended => R::constant(polynomial.extended[k].times(Constant::new(factor))),
     }
 }
 
 /// The polynomial's value at `x`, by Horner's rule.
 #[inline(always)]
 pub fn horner<R: Real>(polynomial: &Polynomial, x: R) -> R {
-    let c = coefficients::<R>(polynomial);
-    let mut value = R::lit(c[c.len() - 1]);
-    for k in (0..c.len() - 1).rev() {
-        value = value.mul_add(x, R::lit(c[k]));
+    let last = length::<R>(polynomial) - 1;
+    let mut value = coefficient::<R>(polynomial, last, 1.0);
+    for k in (0..last).rev() {
+        value = value.mul_add(x, coefficient(polynomial, k, 1.0));
     }
     value
 }
@@ -28,26 +40,40 @@ pub fn horner<R: Real>(polynomial: &Polynomial, x: R) -> R {
 /// The polynomial's derivative at `x`, by Horner's rule on `k c_k`.
 #[inline(always)]
 pub fn horner_derivative<R: Real>(polynomial: &Polynomial, x: R) -> R {
-    let c = coefficients::<R>(polynomial);
-    let last = c.len() - 1;
-    let mut value = R::lit(c[last] * last as f64);
+    let last = length::<R>(polynomial) - 1;
+    let mut value = coefficient::<R>(polynomial, last, last as f64);
     for k in (1..last).rev() {
-        value = value.mul_add(x, R::lit(c[k] * k as f64));
+        value = value.mul_add(x, coefficient(polynomial, k, k as f64));
     }
     value
 }
 
-/// Beyond this the exponential is no more than 1.3e-14, and [`exp_negative`] stays there.
-const EXP_RANGE: f64 = 32.0;
+/// Up to where the exponential is computed, beyond which it stays, and by how many doublings from there.
+///
+/// `exp(-32)` is 1.3e-14: as good as nothing beside one, but no oracle. With extended precision it is `exp(-256)`, 1e-111.
+#[inline(always)]
+fn exp_range<R: Real>() -> (f64, u32) {
+    match R::PRECISION {
+        Precision::Single | Precision::Double => (32.0, 5),
+        Precision::Extended => (256.0, 8),
+    }
+}
+
+/// `exp(-x) - 1` of the `x = y / range` that is small enough for the polynomial.
+#[inline(always)]
+fn reduced_expm1<R: Real>(y: R) -> R {
+    let (range, _) = exp_range::<R>();
+    let x = y.min(R::lit(range)) * R::lit(1.0 / range);
+    -(x * horner(&EXPM1_NEGATIVE, x))
+}
 
 /// `exp(-y) - 1` for `y >= 0`, to a relative error of a few roundings also where `y` is tiny.
 ///
 /// With `x = y / 32`, `e = exp(-x) - 1` comes from a polynomial, and five doublings `e <- e (2 + e)` carry it back.
 #[inline(always)]
 pub fn expm1_negative<R: Real>(y: R) -> R {
-    let x = y.min(R::lit(EXP_RANGE)) * R::lit(1.0 / EXP_RANGE);
-    let mut e = -(x * horner(&EXPM1_NEGATIVE, x));
-    for _ in 0..5 {
+    let mut e = reduced_expm1(y);
+    for _ in 0..exp_range::<R>().1 {
         e = e * (R::lit(2.0) + e);
     }
     e
@@ -56,9 +82,14 @@ pub fn expm1_negative<R: Real>(y: R) -> R {
 /// `exp(-y)` for `y >= 0`.
 ///
 /// Working on the difference from one, [`expm1_negative`], keeps the *absolute* error at a few roundings; the relative error of a
-/// tiny result is that of its absolute error.
+/// tiny result is that of its absolute error. A number with extended precision, which is to know better, squares `exp(-x)`
+/// instead: right to the last digits wherever the result is above 1e-111.
 #[inline(always)]
 pub fn exp_negative<R: Real>(y: R) -> R {
+    if R::PRECISION == Precision::Extended {
+        let (_, doublings) = exp_range::<R>();
+        return (R::one() + reduced_expm1(y)).power(1 << doublings);
+    }
     R::one() + expm1_negative(y)
 }
 
@@ -77,7 +108,7 @@ pub fn logarithm<R: Real>(x: R) -> R {
     let mut rest = x;
     let first = match R::PRECISION {
         Precision::Single => 6,
-        Precision::Double => 9,
+        Precision::Double | Precision::Extended => 9,
     };
     for k in (0..=first).rev() {
         let power = 1 << k;
@@ -86,7 +117,7 @@ pub fn logarithm<R: Real>(x: R) -> R {
     }
     rest = take_out(rest.gt(R::lit(SQRT_2)), 0.5, 1);
     let z = (rest - R::one()) / (rest + R::one());
-    (z + z).mul_add(horner(&ARTANH, R::lit(4.0) * (z * z)), n * R::lit(LN_2))
+    (z + z).mul_add(horner(&ARTANH, R::lit(4.0) * (z * z)), n * R::constant(Constant::LN_2))
 }
 
 /// The sine of an angle in turns, `sin(2 pi t)`, for `|t|` up to 16.
@@ -102,7 +133,7 @@ pub fn sine_of_turns<R: Real>(turns: R) -> R {
     let s = R::pick(rest.gt(R::lit(0.5)), rest - R::one(), rest);
     let twice = s + s;
     let zeros = (R::one() - twice) * (R::one() + twice);
-    let sine = (R::lit(TAU) * s) * (zeros * horner(&SINC, twice * twice));
+    let sine = (R::constant(Constant::TAU) * s) * (zeros * horner(&SINC, twice * twice));
     R::pick(turns.lt(R::zero()), -sine, sine)
 }
 
@@ -114,7 +145,9 @@ pub fn cube_root<R: Real>(x: R) -> R {
     let fourth = x.sqrt().sqrt();
     let sixteenth = fourth.sqrt().sqrt();
     let mut y = fourth * sixteenth * sixteenth.sqrt().sqrt();
-    for _ in 0..3 {
+    // 0.12, 1.2e-3, 1.2e-9, 1e-27; a fourth step for those who can tell.
+    let steps = if R::PRECISION == Precision::Extended { 4 } else { 3 };
+    for _ in 0..steps {
         let cube = y * y * y;
         let twice = x + x;
         y = y * ((cube + twice) / (cube + cube + x));
@@ -143,6 +176,7 @@ pub fn ratio_or_zero<R: Real>(numerator: R, denominator: R) -> R {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::TAU;
 
     /// Scans a range in equal factors and returns the largest error in units of `epsilon`.
     fn worst(low: f64, high: f64, epsilon: f64, error: impl Fn(f64) -> f64) -> f64 {

@@ -3,6 +3,7 @@
 //!
 //! - [`Real`], [`Vector`], [`Symmetric`], [`Matrix`]: what equations are written with;
 //! - [`record!`], [`Pass`], [`Update`]: what backends run;
+//! - [`Constant`]: what is computed with, to more digits than any target has;
 //! - [`lanes`]: many numbers at once;
 //! - [`trace`]: the drawing of a computation; [`emit`]: its print in WGSL and C.
 #![deny(unsafe_code)]
@@ -10,6 +11,8 @@
 extern crate self as etalon_kernels_gen;
 
 pub mod bounded;
+mod constant;
+pub mod dual;
 pub mod emit;
 mod equation;
 pub mod functions;
@@ -23,6 +26,7 @@ mod scalar;
 pub mod trace;
 mod vector;
 
+pub use constant::Constant;
 #[cfg(feature = "mutants")]
 pub use equation::mutants;
 #[doc(hidden)]

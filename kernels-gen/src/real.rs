@@ -8,6 +8,7 @@
 //! maximum, comparison and selection. There is no sine and no exponential: those are polynomials written with these
 //! operations (see [`functions`](crate::functions)). `docs/numerics.md` states the policy.
 
+use crate::constant::Constant;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Which set of fitted coefficients a number type deserves.
@@ -15,8 +16,11 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub enum Precision {
     /// 24 bits of significand.
     Single,
-    /// 53 bits of significand or more.
+    /// 53 bits of significand.
     Double,
+    /// More than that: for the oracle that others are measured against, and for what encloses the truth. No target and no
+    /// drawing has it.
+    Extended,
 }
 
 /// The outcome of comparing two numbers: one truth value, or one per lane, or the drawing of one.
@@ -59,8 +63,14 @@ pub trait Real:
     /// The coefficient set that matches this type's significand.
     const PRECISION: Precision;
 
-    /// A constant, rounded to this type.
+    /// A constant, rounded to this type. One that no `f64` holds exactly, and whose shortest decimal does not say what is meant
+    /// either (0.1 does), is a [`constant`](Real::constant).
     fn lit(value: f64) -> Self;
+    /// A constant with more digits than an `f64` has, rounded to this type.
+    #[inline(always)]
+    fn constant(value: Constant) -> Self {
+        Self::lit(value.value())
+    }
     /// Square root; the argument must not be negative.
     fn sqrt(self) -> Self;
     /// Absolute value.

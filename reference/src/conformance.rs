@@ -131,7 +131,7 @@ impl<const D: usize, P: Roundoff, E: Engine<D>> PassVisitor<D> for Check<'_, P, 
 fn to_precision<P: Roundoff>(value: f64) -> f64 {
     match P::PRECISION {
         Precision::Single => f64::from(value as f32),
-        Precision::Double => value,
+        Precision::Double | Precision::Extended => value,
     }
 }
 
@@ -139,7 +139,7 @@ fn verdict<P: Roundoff>(pass: &'static str, component: String, found: &[f64], ex
     // The reference itself rounds in f64; where that is the engine's precision too, errors of both count.
     let own_share = match P::PRECISION {
         Precision::Single => 1.0,
-        Precision::Double => 2.0,
+        Precision::Double | Precision::Extended => 2.0,
     };
     let one = |particle: usize| Verdict {
         pass,

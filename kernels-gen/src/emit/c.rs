@@ -95,7 +95,7 @@ impl C {
     fn number(&self) -> &'static str {
         match self.precision {
             Precision::Single => "float",
-            Precision::Double => "double",
+            Precision::Double | Precision::Extended => "double",
         }
     }
 }
@@ -104,7 +104,7 @@ impl Dialect for C {
     fn literal(&self, value: f64) -> String {
         match self.precision {
             Precision::Single => decimal(format!("{:?}", value as f32)) + "f",
-            Precision::Double => decimal(format!("{value:?}")),
+            Precision::Double | Precision::Extended => decimal(format!("{value:?}")),
         }
     }
     fn input(&self, name: &str) -> String {
@@ -113,13 +113,13 @@ impl Dialect for C {
     fn functions(&self) -> [&'static str; 4] {
         match self.precision {
             Precision::Single => ["fabsf", "sqrtf", "smaller_float", "larger_float"],
-            Precision::Double => ["fabs", "sqrt", "smaller_double", "larger_double"],
+            Precision::Double | Precision::Extended => ["fabs", "sqrt", "smaller_double", "larger_double"],
         }
     }
     fn fused(&self) -> Option<&'static str> {
         let name = match self.precision {
             Precision::Single => "fmaf",
-            Precision::Double => "fma",
+            Precision::Double | Precision::Extended => "fma",
         };
         (self.mul_add == MulAdd::Fused).then_some(name)
     }
@@ -131,7 +131,7 @@ impl Dialect for C {
         match (is_mask, self.precision) {
             (true, _) => "const bool",
             (false, Precision::Single) => "const float",
-            (false, Precision::Double) => "const double",
+            (false, Precision::Double | Precision::Extended) => "const double",
         }
     }
     fn forbidden(&self) -> fn(&str) -> bool {

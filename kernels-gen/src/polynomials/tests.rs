@@ -3,8 +3,10 @@
 
 use super::{
     ARTANH, EXPM1_NEGATIVE, Polynomial, SINC, SINC_4_NORMALISATION, SINC_9_NORMALISATION, SINC_SLOPE_DOUBLE_ERROR,
+    SINC_SLOPE_EXTENDED_ERROR,
     SINC_SLOPE_SINGLE_ERROR,
 };
+use crate::constant::Constant;
 use twofloat::TwoFloat;
 
 const SAMPLES: u32 = 4096;
@@ -90,7 +92,7 @@ fn sinc_approximation(coefficients: &'static [f64]) -> impl Fn(TwoFloat) -> TwoF
 
 #[test]
 fn sinc_has_the_stated_error() {
-    let Polynomial { single, double, single_error, double_error } = SINC;
+    let Polynomial { single, double, single_error, double_error, .. } = SINC;
     assert_stated("sinc f32", largest_error(sinc_approximation(single), sinc), single_error);
     assert_stated("sinc f64", largest_error(sinc_approximation(double), sinc), double_error);
 }
@@ -110,7 +112,7 @@ fn sinc_slope_has_the_stated_error() {
 
 #[test]
 fn expm1_negative_has_the_stated_error() {
-    let Polynomial { single, double, single_error, double_error } = EXPM1_NEGATIVE;
+    let Polynomial { single, double, single_error, double_error, .. } = EXPM1_NEGATIVE;
     for (coefficients, stated) in [(single, single_error), (double, double_error)] {
         let measured = largest_error(|x| evaluate(coefficients, x), reduced_expm1);
         assert_stated("expm1", measured, stated);
@@ -119,7 +121,7 @@ fn expm1_negative_has_the_stated_error() {
 
 #[test]
 fn artanh_has_the_stated_error() {
-    let Polynomial { single, double, single_error, double_error } = ARTANH;
+    let Polynomial { single, double, single_error, double_error, .. } = ARTANH;
     for (coefficients, stated) in [(single, single_error), (double, double_error)] {
         let measured = largest_error(|t| evaluate(coefficients, t), reduced_artanh);
         assert_stated("artanh", measured, stated);
@@ -137,6 +139,22 @@ fn values_at_the_ends() {
         let error = (evaluate(coefficients, exact(1.0)) * 2.0 - 1.0).hi().abs();
         assert!(error <= stated + TRUTH_ERROR, "{error:e} exceeds {stated:e}");
     }
+}
+
+/// Horner's rule in double-double on coefficients in double-double.
+fn evaluate_extended(polynomial: &Polynomial, t: TwoFloat) -> TwoFloat {
+    let pair = |c: &Constant| exact(c.value()) + exact(c.rest());
+    polynomial.extended.iter().rev().fold(exact(0.0), |sum, c| sum * t + pair(c))
+}
+
+#[test]
+fn extended_coefficients_are_as_good_as_the_truths_here() {
+    let sinc_error = largest_error(|t| (exact(1.0) - t) * evaluate_extended(&SINC, t), sinc);
+    let expm1_error = largest_error(|x| evaluate_extended(&EXPM1_NEGATIVE, x), reduced_expm1);
+    let artanh_error = largest_error(|t| evaluate_extended(&ARTANH, t), reduced_artanh);
+    println!("sinc {sinc_error:e}, expm1 {expm1_error:e}, artanh {artanh_error:e}; truths are off by up to {TRUTH_ERROR:e}");
+    assert!(sinc_error.max(expm1_error).max(artanh_error) < TRUTH_ERROR);
+    assert!(SINC_SLOPE_EXTENDED_ERROR < 1e-30);
 }
 
 #[test]
@@ -237,7 +255,7 @@ fn sinc_kernels_have_unit_integral() {
                     weight * s.powi(power) * q.powi(dimension - 1)
                 })
                 .sum();
-            let error = (b * shell * sum * h / 3.0 - 1.0).abs();
+            let error = (b.value() * shell * sum * h / 3.0 - 1.0).abs();
             println!("S_{power} in {dimension}-D: integral off by {error:e}, tolerance {tolerance:e}");
             assert!(error <= tolerance);
         }

@@ -71,7 +71,7 @@ impl Simplifier {
     fn literal(&mut self, value: f64) -> Id {
         let value = match self.precision {
             Precision::Single => value as f32 as f64,
-            Precision::Double => value,
+            Precision::Double | Precision::Extended => value,
         };
         self.graph.add(Op::Literal(Literal::new(value)), None)
     }
@@ -95,7 +95,7 @@ impl Simplifier {
         }
         match self.precision {
             Precision::Single => fold::<f32>(&self.graph, op),
-            Precision::Double => fold::<f64>(&self.graph, op),
+            Precision::Double | Precision::Extended => fold::<f64>(&self.graph, op),
         }
     }
 
@@ -213,7 +213,9 @@ impl Simplifier {
     fn exact_reciprocal(&self, divisor: f64) -> Option<f64> {
         let is_power = |value: f64| match self.precision {
             Precision::Single => (value as f32).is_normal() && (value as f32).to_bits() & 0x007f_ffff == 0,
-            Precision::Double => value.is_normal() && value.to_bits() & 0x000f_ffff_ffff_ffff == 0,
+            Precision::Double | Precision::Extended => {
+                value.is_normal() && value.to_bits() & 0x000f_ffff_ffff_ffff == 0
+            }
         };
         Some(1.0 / divisor).filter(|reciprocal| is_power(divisor) && is_power(*reciprocal))
     }

@@ -6,8 +6,7 @@
 use crate::schemes::Kernel;
 use etalon_kernels_gen::functions::{horner, horner_derivative};
 use etalon_kernels_gen::polynomials::{SINC, SINC_4_NORMALISATION, SINC_9_NORMALISATION};
-use etalon_kernels_gen::{Real, equation, equation_part};
-use std::f64::consts::PI;
+use etalon_kernels_gen::{Constant, Real, equation, equation_part};
 
 /// A kernel's value and slope at one distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,8 +17,30 @@ pub struct Shape<R> {
     pub slope_over_q: R,
 }
 
-/// The weight of `S_4` in the mixed sinc kernel; `S_9` has the rest (GS25 section 3).
-const MIXED_SINC_WEIGHT: f64 = 0.9;
+/// `weight B_n` and, for the slope, `(n/2) weight B_n`, of a member `S_n` of the mixed sinc kernel, by dimension.
+const fn member(weight: Constant, n: f64, b: [Constant; 3]) -> [[Constant; 2]; 3] {
+    let half = Constant::ratio(n, 2.0);
+    let [one, two, three] = [weight.times(b[0]), weight.times(b[1]), weight.times(b[2])];
+    [[one, one.times(half)], [two, two.times(half)], [three, three.times(half)]]
+}
+
+/// The members of the mixed sinc kernel with their weights 0.9 and 0.1 (GS25 section 3).
+const MEMBER_4: [[Constant; 2]; 3] = member(Constant::ratio(9.0, 10.0), 4.0, SINC_4_NORMALISATION);
+const MEMBER_9: [[Constant; 2]; 3] = member(Constant::ratio(1.0, 10.0), 9.0, SINC_9_NORMALISATION);
+
+/// `p / (q pi)`, as the normalisations in two and three dimensions are.
+const fn over_pi(p: f64, q: f64) -> Constant {
+    Constant::ratio(p, q).over(Constant::PI)
+}
+
+/// Normalisations `B` in one, two and three dimensions; each kernel's page says them.
+const CUBIC_SPLINE: [Constant; 3] = [Constant::ratio(2.0, 3.0), over_pi(10.0, 7.0), over_pi(1.0, 1.0)];
+const QUINTIC_SPLINE: [Constant; 3] = [Constant::ratio(1.0, 120.0), over_pi(7.0, 478.0), over_pi(1.0, 120.0)];
+const WENDLAND_C2: [Constant; 3] = [Constant::ratio(5.0, 8.0), over_pi(7.0, 4.0), over_pi(21.0, 16.0)];
+const WENDLAND_C4: [Constant; 3] = [Constant::ratio(3.0, 4.0), over_pi(9.0, 4.0), over_pi(495.0, 256.0)];
+const THIRTY_FIVE_TWELFTHS: Constant = Constant::ratio(35.0, 12.0);
+const MINUS_FOURTEEN_THIRDS: Constant = Constant::ratio(-14.0, 3.0);
+const WENDLAND_C6: [Constant; 3] = [Constant::ratio(55.0, 64.0), over_pi(39.0, 14.0), over_pi(1365.0, 512.0)];
 
 /// The shape of any [`Kernel`] at squared distance `q^2` (in units of `h^2`), in `D` dimensions.
 #[inline(always)]
@@ -79,10 +100,10 @@ pub fn sinc_half_pi<R: Real>(t: R) -> (R, R) {
 /// different kernel. `w'/q = (1/2) (dw/ds) (ds/dt)` with `t = q^2/4`. Source: GS25 section 3; Cabezón & García-Senz 2024.
 #[equation(unnumbered = "the mixed sinc kernel, GS25 section 3")]
 pub fn mixed_sinc<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
-    let b_4 = R::lit(MIXED_SINC_WEIGHT * SINC_4_NORMALISATION[D - 1]);
-    let b_9 = R::lit((1.0 - MIXED_SINC_WEIGHT) * SINC_9_NORMALISATION[D - 1]);
-    let half_b_4 = R::lit(0.5 * 4.0 * MIXED_SINC_WEIGHT * SINC_4_NORMALISATION[D - 1]);
-    let half_b_9 = R::lit(0.5 * 9.0 * (1.0 - MIXED_SINC_WEIGHT) * SINC_9_NORMALISATION[D - 1]);
+    let b_4 = R::constant(MEMBER_4[D - 1][0]);
+    let b_9 = R::constant(MEMBER_9[D - 1][0]);
+    let half_b_4 = R::constant(MEMBER_4[D - 1][1]);
+    let half_b_9 = R::constant(MEMBER_9[D - 1][1]);
     let t = (q_squared * 0.25).min(1.0);
     let (s, s_slope) = sinc_half_pi(t);
     let s_2 = s * s;
@@ -99,7 +120,7 @@ pub fn mixed_sinc<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
 /// names it; Monaghan & Lattanzio 1985.
 #[equation(unnumbered = "the cubic spline M4")]
 pub fn cubic_spline<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
-    let norm = R::lit([2.0 / 3.0, 10.0 / (7.0 * PI), 1.0 / PI][D - 1]);
+    let norm = R::constant(CUBIC_SPLINE[D - 1]);
     let q = q_squared.sqrt();
     let outer = (2.0 - q).max(0.0);
     let inner = (1.0 - q).max(0.0);
@@ -114,7 +135,7 @@ pub fn cubic_spline<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
 /// powers' derivatives over `q`: expanding there would lose all digits at the edge. Source: PL20 section 2.4; Morris 1996.
 #[equation(unnumbered = "the quintic spline M6")]
 pub fn quintic_spline<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
-    let norm = R::lit([1.0 / 120.0, 7.0 / (478.0 * PI), 1.0 / (120.0 * PI)][D - 1]);
+    let norm = R::constant(QUINTIC_SPLINE[D - 1]);
     let q = q_squared.sqrt();
     let outer = (3.0 - q).max(0.0);
     let middle = (2.0 - q).max(0.0);
@@ -133,7 +154,7 @@ pub fn quintic_spline<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
 /// `B` = 5/8, 7/(4 pi), 21/(16 pi). `w'/q = -5 B u^3`, in 1-D `-3 B u^2`. Source: PL20 section 2.4; Wendland 1995.
 #[equation(unnumbered = "Wendland's kernel C2")]
 pub fn wendland_c2<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
-    let norm = R::lit([5.0 / 8.0, 7.0 / (4.0 * PI), 21.0 / (16.0 * PI)][D - 1]);
+    let norm = R::constant(WENDLAND_C2[D - 1]);
     let q = q_squared.sqrt();
     let u = (1.0 - 0.5 * q).max(0.0);
     let (value, slope) = match D {
@@ -148,14 +169,14 @@ pub fn wendland_c2<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
 /// `B` = 3/4, 9/(4 pi), 495/(256 pi). `w'/q = -(14/3) B u^5 (5q/2 + 1)`, in 1-D `-(7/2) B u^4 (2q + 1)`. Source: PL20 section 2.4; Wendland 1995.
 #[equation(unnumbered = "Wendland's kernel C4")]
 pub fn wendland_c4<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
-    let norm = R::lit([3.0 / 4.0, 9.0 / (4.0 * PI), 495.0 / (256.0 * PI)][D - 1]);
+    let norm = R::constant(WENDLAND_C4[D - 1]);
     let q = q_squared.sqrt();
     let u = (1.0 - 0.5 * q).max(0.0);
     let (value, slope) = match D {
         1 => (u.power(5) * (q * (2.0 * q + 2.5) + 1.0), -3.5 * u.power(4) * (2.0 * q + 1.0)),
         _ => {
-            let c = R::lit(35.0 / 12.0);
-            let d = R::lit(-14.0 / 3.0);
+            let c = R::constant(THIRTY_FIVE_TWELFTHS);
+            let d = R::constant(MINUS_FOURTEEN_THIRDS);
             (u.power(6) * (q * (c * q + 3.0) + 1.0), d * u.power(5) * (2.5 * q + 1.0))
         }
     };
@@ -168,7 +189,7 @@ pub fn wendland_c4<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
 /// Source: PL20 section 2.4; Wendland 1995.
 #[equation(unnumbered = "Wendland's kernel C6")]
 pub fn wendland_c6<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
-    let norm = R::lit([55.0 / 64.0, 39.0 / (14.0 * PI), 1365.0 / (512.0 * PI)][D - 1]);
+    let norm = R::constant(WENDLAND_C6[D - 1]);
     let q = q_squared.sqrt();
     let u = (1.0 - 0.5 * q).max(0.0);
     let (value, slope) = match D {

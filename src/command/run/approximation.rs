@@ -46,7 +46,10 @@ fn sinc(dimension: usize, precision: Precision) -> [KernelApproximation; 2] {
     };
     // ln and exp keep the digits that 1 + e would lose.
     let power = |n: f64| (n * error.ln_1p()).exp_m1();
-    let weights = [SHARE[0] * SINC_4_NORMALISATION[dimension - 1], SHARE[1] * SINC_9_NORMALISATION[dimension - 1]];
+    let weights = [
+        SHARE[0] * SINC_4_NORMALISATION[dimension - 1].value(),
+        SHARE[1] * SINC_9_NORMALISATION[dimension - 1].value(),
+    ];
     let value = (weights[0] * power(4.0) + weights[1] * power(9.0)) / (weights[0] + weights[1]);
     let degree = 2 * terms(&SINC, precision);
     let entry = |function: &str, max| KernelApproximation {

@@ -1,0 +1,64 @@
+//! The audit: how far each equation is from the truth on each target, whether its units fit, and what encloses it.
+//!
+//! Each equation of [`etalon_reference`] has one or more [`Probe`]s: a declaration of its arguments (symbol, unit, domain), its
+//! results, and the call, generic over the number type. [`probes`] lists them all. From a probe follow:
+//!
+//! | question | answer |
+//! |---|---|
+//! | how far from the truth? | [`measure`] on a [`Target`] against the [`Quad`] oracle, in ulps; [`Budgets`] is the record |
+//! | how far can it be? | [`Gauge`]: the budget that follows from the operations |
+//! | do its units fit? | [`check_units`]: every node of the drawn graph |
+//! | what does the code compute? | [`Probe::draw`], printed by [`etalon_kernels_gen::emit`] |
+//!
+//! ```
+//! use etalon_audit::{Budgets, Target, measure, probes};
+//!
+//! let probes = probes();
+//! let balsara = probes.iter().find(|probe| probe.function == "balsara_limiter").ok_or("no such probe")?;
+//! let measurement = measure(balsara, Target::ScalarSingle, 1000);
+//! assert!(measurement.of_scale.ulps <= measurement.budget);
+//! assert_eq!(Budgets::recorded()?.compare(&measurement), []);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! `docs/audit.md` explains the figures and their reasons; `docs/how-to/add-an-equation.md` says how to add a probe.
+#![forbid(unsafe_code)]
+
+mod budgets;
+mod declare;
+mod domain;
+pub mod gauge;
+mod interval;
+mod measure;
+mod number;
+mod probe;
+mod probes;
+mod quad;
+mod sample;
+mod shaped;
+mod target;
+mod units;
+
+pub use budgets::{Budgets, FULL_SAMPLES, Record, Regression, UnreadableRecord, measure_all};
+pub use domain::{Domain, Spread, any, between, not_negative, positive};
+//E pub use enclosure::{Enclosure, enclose};
+//E pub use formula::formula;
+pub use gauge::Gauge;
+pub use interval::{Decided, Interval};
+pub use measure::{Measurement, Violation, Worst, measure, measure_inputs, measure_targets};
+pub use number::{Body, Evaluators, Number};
+pub use probe::{Argument, Declaration, Name, Probe, Quantity, WrongCount, own};
+pub use probes::{of_equation, probes};
+pub use quad::{NotANumber, Quad};
+pub use sample::{hard_inputs, random_inputs};
+pub use shaped::{Shaped, take};
+pub use target::{Label, Target, UnknownTarget};
+pub use units::{UnitFault, check_units};
+//E pub use units::{UnitFault, check_units};
+
+/// What [`probe!`] refers to. Not for direct use.
+#[doc(hidden)]
+pub mod macro_parts {
+    pub use crate::{Argument, Body, Declaration, Probe, Quantity, Shaped, take};
+    pub use etalon_kernels_gen::{Matrix, Real, Symmetric, Vector};
+}

@@ -1,0 +1,10 @@
+//! The audit of the equations, on small samples. `etalon audit` takes large ones.
+
+#[path = "audit/budgets.rs"]
+mod budgets;
+#[path = "audit/declarations.rs"]
+mod declarations;
+#[path = "audit/oracle.rs"]
+mod oracle;
+#[path = "audit/units.rs"]
+mod units;
