@@ -7,6 +7,8 @@
 mod check;
 #[path = "../support/cloud.rs"]
 mod cloud;
+mod conduction;
+mod diagnostics;
 mod dissipation;
 mod double_hump;
 mod drag;
@@ -22,6 +24,7 @@ mod gradients;
 mod hard_cases;
 mod hard_inputs;
 mod hydrodynamics;
+mod initial_states;
 mod kernels;
 mod limiters;
 mod motion;
@@ -29,6 +32,7 @@ mod polar;
 mod quadrature;
 mod reconstruction;
 mod stiff_drag;
+mod switch;
 mod turbulence;
 mod velocity_gradients;
 mod volume_elements;
