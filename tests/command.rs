@@ -137,6 +137,24 @@ fn json_on_stdout_is_the_report() {
     assert_eq!(runs, ["\"reference\" \"f64\"", "\"simd\" \"f64\"", "\"simd\" \"f32\""]);
 }
 
+/// A coefficient that depends on time, and conduction: the run holds against the reference, and has the stages it needs.
+#[test]
+fn switches_and_conduction_run() {
+    let place = Place::new("switch");
+    for scheme in ["AVSW", "AVSWSLR"] {
+        let output = place.etalon(&tiny(&["--scheme", scheme, "--conduction", "--backend", "simd", "--json"]));
+        assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+        let report = json(stdout(&output));
+        assert!(report["command"].as_str().unwrap().contains("--conduction 0.1"), "{}", report["command"]);
+        for run in report["runs"].as_array().unwrap() {
+            let stages = run["outcome"]["ran"]["stages"].to_string();
+            for stage in ["\"switch\"", "\"switched_momentum\"", "\"conduction\"", "\"decay\""] {
+                assert!(stages.contains(stage), "{stage} is missing: {stages}");
+            }
+        }
+    }
+}
+
 #[test]
 fn instruction_sets_and_threads_do_not_change_a_bit() {
     let place = Place::new("bits");
@@ -155,7 +173,7 @@ fn every_scheme_start_and_dimension_can_be_explained() {
     let place = Place::new("explain");
     let mut page = Page::read("explain-schema.md");
     for dimension in ["1", "2", "3"] {
-        for scheme in ["AV", "AVSLR", "AVSLRB", "AVSLRB2", "AVSLRB2F"] {
+        for scheme in ["AV", "AVSW", "AVSLR", "AVSWSLR", "AVSLRB", "AVSLRB2", "AVSLRB2F", "AVB"] {
             let output = place.etalon(&["explain", "sod", "--dim", dimension, "--scheme", scheme, "--json"]);
             assert_eq!(code(&output), Some(0), "{}", stderr(&output));
             let explained = json(stdout(&output));
@@ -163,8 +181,16 @@ fn every_scheme_start_and_dimension_can_be_explained() {
             assert_eq!(explained["dimension"].to_string(), dimension);
             let stages = explained["stages"].as_array().unwrap();
             let names: Vec<&str> = stages.iter().filter_map(|s| s["name"].as_str()).collect();
-            let last = if scheme == "AV" { "momentum" } else { "reconstructed_momentum" };
+            let last = match scheme {
+                "AV" => "momentum",
+                "AVSW" | "AVSWSLR" => "switched_momentum",
+                _ => "reconstructed_momentum",
+            };
             assert!(names.contains(&last), "{names:?}");
+            // A coefficient that decays is carried by those that have one, and by no other.
+            let switched = scheme.starts_with("AVSW");
+            assert_eq!(names.contains(&"decay"), switched, "{names:?}");
+            assert_eq!(explained["fields"].to_string().contains("alpha"), switched, "{scheme}");
             assert!(explained["operations_per_pair"]["f32"].as_u64().unwrap() > 50);
             let memory = explained["bytes_per_particle"].as_array().unwrap();
             assert_eq!(memory.len(), 4);
@@ -258,7 +284,9 @@ fn refused(test: &str, arguments: &[&str], words: &[&str]) {
 fn unknown_names_are_refused_with_the_right_ones() {
     refused("scene", &["run", "sedov"], &["`sedov`", "there is no scene", "sod"]);
     refused("scene2", &["explain", "sedov"], &["there is no scene `sedov`"]);
-    refused("scheme", &tiny(&["--scheme", "AVSW"]), &["--scheme AVSW", "AVSLRB2F"]);
+    refused("scheme", &tiny(&["--scheme", "AVX"]), &["--scheme AVX", "AVSLRB2F"]);
+    refused("wave", &tiny(&["--scheme", "AVSLRB*2"]), &["--scheme AVSLRB*2", "period", "choose AVSLRB2,"]);
+    refused("conduction", &tiny(&["--conduction", "-1"]), &["--conduction -1", "not negative"]);
     refused("kernel", &tiny(&["--kernel", "gauss"]), &["--kernel gauss", "sinc49, M4"]);
     refused("backend", &tiny(&["--backend", "cuda"]), &["--backend cuda", "reference, simd, wgpu"]);
     refused("precision", &tiny(&["--precision", "f16"]), &["--precision f16", "f32, f64"]);
@@ -349,7 +377,7 @@ fn nothing_foreign_is_overwritten_and_a_failure_keeps_the_old_report() {
     let good = tiny(&["--backend", "simd", "--precision", "f64", "--alone", "--out", "mine"]);
     assert_eq!(code(&place.etalon(&good)), Some(0));
     let before = contents(&place.path("mine"));
-    assert_eq!(code(&place.etalon(&tiny(&["--scheme", "AVSW", "--out", "mine"]))), Some(2));
+    assert_eq!(code(&place.etalon(&tiny(&["--scheme", "AVX", "--out", "mine"]))), Some(2));
     assert_eq!(contents(&place.path("mine")), before);
     // A report is replaced by the next one.
     assert_eq!(code(&place.etalon(&good)), Some(0));

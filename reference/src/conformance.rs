@@ -11,7 +11,7 @@ use crate::particles::ParticleSet;
 use crate::passes::Physics;
 use crate::pipeline::{PassVisitor, Pipeline};
 use crate::scenes::sod::Sod;
-use crate::schemes::{Dissipation, GradH, Kernel};
+use crate::schemes::{Dissipation, GradH, Kernel, Viscosity};
 use etalon_kernels_gen::bounded::{Bounded, Roundoff};
 use etalon_kernels_gen::{Field, Footprint, Pass, Precision, components};
 use sets::Difficulty;
@@ -87,6 +87,7 @@ pub fn check_passes<const D: usize, P: Roundoff, E: Engine<D>>(
     let pipeline = Pipeline::of_scene::<D>(&physics);
     let mut reference = PlainEngine::<f64, D>::new(set);
     reference.find_neighbours(support)?;
+    pipeline.start(&mut reference, physics)?;
     pipeline.run(&mut reference, physics)?;
     let mut bounded = PlainEngine::<Bounded<P>, D>::new(set);
     bounded.find_neighbours(support)?;
@@ -200,8 +201,8 @@ impl Summary {
     }
 }
 
-/// All passes on all difficult sets in `D` dimensions: every dissipation scheme with the paper's kernel, and every kernel with
-/// the paper's scheme. `make` builds an engine of precision `P`.
+/// All passes on all difficult sets in `D` dimensions: every dissipation scheme with the paper's kernel, every kernel with
+/// the paper's scheme, and conduction. `make` builds an engine of precision `P`.
 pub fn check_dimension<const D: usize, P: Roundoff, E: Engine<D>>(
     mut make: impl FnMut(&ParticleSet<D>, &[Field]) -> Result<E, EngineError>,
 ) -> Result<Summary, EngineError> {
@@ -210,7 +211,8 @@ pub fn check_dimension<const D: usize, P: Roundoff, E: Engine<D>>(
     let schemes = Dissipation::ALL.iter().map(|&dissipation| Sod { dissipation, ..usual });
     let kernels = Kernel::ALL.iter().map(|&kernel| Sod { kernel, ..usual });
     let forms = GradH::ALL.iter().map(|&grad_h| Sod { grad_h, ..usual });
-    for (round, scene) in schemes.chain(kernels).chain(forms).enumerate() {
+    let conduction = [Sod { conduction: Viscosity::CONDUCTION, ..usual }];
+    for (round, scene) in schemes.chain(kernels).chain(forms).chain(conduction).enumerate() {
         let physics = scene.physics();
         // The usual scene meets every difficulty, the variations only the first ones: what is difficult is the same for all.
         let tried = if round == 0 || scene == usual { Difficulty::ALL } else { &Difficulty::ALL[..2] };

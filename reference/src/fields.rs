@@ -69,10 +69,23 @@ fields! {
     /// Balsara's limiter (GS25 8).
     BALSARA = "balsara", "\\mathcal{B}", "", Scalar;
 
+    /// First moments of the differences of the velocity's divergence (C25 3 for `div v`).
+    DIVERGENCE_MOMENT = "divergence_moment", "I_{\\nabla\\cdot v}", "L T^-1", Vector;
+    /// The linear viscosity coefficient that the local flow asks for (GS25 9).
+    LOCAL_ALPHA = "local_alpha", "\\alpha_{loc}", "", Scalar;
+    /// The linear viscosity coefficient of a scheme in which it depends on time (GS25 10).
+    ALPHA = "alpha", "\\alpha", "", Scalar;
+    /// What decay has left of it since the step before; a particle starts with the smallest.
+    REMAINING_ALPHA = "remaining_alpha", "\\alpha_-", "", Scalar;
+    /// The rate at which it decays, `1 / tau` (GS25 10).
+    ALPHA_DECAY_RATE = "alpha_decay_rate", "1/\\tau", "T^-1", Scalar;
+
     /// Acceleration (C25 22).
     ACCELERATION = "acceleration", "\\dot v", "L T^-2", Vector;
     /// Rate of change of the internal energy (C25 23).
     ENERGY_RATE = "energy_rate", "\\dot u", "L^2 T^-3", Scalar;
+    /// The part of it that artificial conduction makes (Price et al. 2018).
+    CONDUCTION_RATE = "conduction_rate", "\\dot u_{cond}", "L^2 T^-3", Scalar;
     /// The acceleration at the step's start.
     PREVIOUS_ACCELERATION = "previous_acceleration", "\\dot v_n", "L T^-2", Vector;
     /// The energy rate at the step's start.
@@ -83,4 +96,13 @@ fields! {
     TIME_STEP = "time_step", "\\Delta t", "T", Scalar;
     /// The way the particle goes in this step.
     DISPLACEMENT = "displacement", "\\Delta x", "L", Vector;
+
+    /// How many pairs a particle is in (GS25 29).
+    PAIRS = "pairs", "N_{pairs}", "", Scalar;
+    /// How many of them approach.
+    APPROACHING_PAIRS = "approaching_pairs", "N_{\\omega<0}", "", Scalar;
+    /// In how many the reconstruction turns the sign of the velocity of approach.
+    REVERSED_PAIRS = "reversed_pairs", "N_{\\omega\\omega'<0}", "", Scalar;
+    /// In how many of those that approach it does.
+    REVERSED_APPROACHING_PAIRS = "reversed_approaching_pairs", "N_{\\omega<0<\\omega'}", "", Scalar;
 }

@@ -5,11 +5,13 @@
 //! - [`engine`]: what a backend must do, and the plain one that does it by direct loops;
 //! - [`simulation`]: the time integration, on any engine;
 //! - [`scenes`], [`exact`], [`norms`]: what is run and what it is compared with;
-//! - [`turbulence`]: the driving of turbulence and what is measured on it.
+//! - [`turbulence`]: the driving of turbulence and what is measured on it;
+//! - [`diagnostics`]: what else is measured on a run.
 #![forbid(unsafe_code)]
 
 pub mod choice;
 pub mod conformance;
+pub mod diagnostics;
 pub mod domain;
 pub mod engine;
 pub mod equations;

@@ -129,8 +129,8 @@ fn differences<F: Float>(p: &[F], p_ref: &[F], d: &[F], range: (F, F)) -> Result
     Ok(chosen)
 }
 
-/// Mean of non-negative numbers, by a compensated sum.
-fn mean<F: Float>(values: impl ExactSizeIterator<Item = F>) -> F {
+/// Mean of numbers, by a compensated sum.
+pub(crate) fn mean<F: Float>(values: impl ExactSizeIterator<Item = F>) -> F {
     let number = F::from(values.len());
     let (mut sum, mut count) = (CompensatedSum::new(), F::zero());
     for value in values {

@@ -3,7 +3,8 @@
 use crate::engine::{Engine, EngineError};
 use crate::fields;
 use crate::passes::*;
-use etalon_kernels_gen::{Field, Footprint, Pass};
+use crate::schemes::Dissipation;
+use etalon_kernels_gen::{Component, Field, Footprint, Pass};
 
 /// Something that is done with a pass whose type is known only here.
 pub trait PassVisitor<const D: usize> {
@@ -44,10 +45,16 @@ catalogue! {
     Gradients,
     /// [`VelocityGradients`].
     VelocityGradients,
+    /// [`Switch`].
+    Switch,
     /// [`Momentum`].
     Momentum,
     /// [`ReconstructedMomentum`].
     ReconstructedMomentum,
+    /// [`SwitchedMomentum`].
+    SwitchedMomentum,
+    /// [`Conduction`].
+    Conduction,
 }
 
 /// What particles start with and updates keep.
@@ -60,6 +67,9 @@ pub const STATE: &[Field] = &[
     fields::MOBILITY,
 ];
 
+/// What updates keep for schemes that need it, beside the [`STATE`]; carried only where a pass reads it.
+pub const SCHEME_STATE: &[Field] = &[fields::REMAINING_ALPHA];
+
 /// The passes of a step, in order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pipeline {
@@ -69,27 +79,44 @@ pub struct Pipeline {
 impl Pipeline {
     /// The passes that give accelerations, energy rates and time steps under a scene's physics, and no others.
     pub fn of_scene<const D: usize>(physics: &Physics) -> Self {
-        // Which of the two last sweeps it is, is the scheme's choice; all else follows from what that one reads.
-        let last = match physics.viscosity.dissipation.reconstructs() {
-            true => PassKind::ReconstructedMomentum,
-            false => PassKind::Momentum,
+        // Which of the last sweeps it is, is the scheme's choice; all else follows from what they read.
+        let viscosity = &physics.viscosity;
+        let forces = match viscosity.dissipation {
+            scheme if scheme.switches() => PassKind::SwitchedMomentum,
+            Dissipation::Av => PassKind::Momentum,
+            _ => PassKind::ReconstructedMomentum,
         };
-        Self::leading_to::<D>(last)
+        let mut last = vec![forces];
+        if viscosity.conduction > 0.0 {
+            last.push(PassKind::Conduction);
+        }
+        Self::leading_to_all::<D>(last)
     }
 
     /// A pass, preceded by those that write what it reads, and so on back to the [`STATE`].
     pub fn leading_to<const D: usize>(last: PassKind) -> Self {
-        let mut chosen = vec![last];
+        Self::leading_to_all::<D>(vec![last])
+    }
+
+    fn leading_to_all<const D: usize>(mut chosen: Vec<PassKind>) -> Self {
         loop {
-            let written: Vec<Field> = chosen.iter().flat_map(|p| p.footprint::<D>().out).collect();
-            let missing = |field: &Field| !STATE.contains(field) && !written.contains(field);
-            let wanted: Vec<Field> = chosen.iter().flat_map(|p| reads::<D>(*p)).filter(missing).collect();
-            let writers = |field: &Field| {
-                let writes = |p: &&PassKind| p.footprint::<D>().out.contains(field);
+            // What a pass changes of its own it must have from another.
+            let written = |by_other_than: &PassKind, field: &Field| {
+                chosen.iter().any(|p| p != by_other_than && p.footprint::<D>().out.contains(field))
+            };
+            let missing = |reader: &PassKind| {
+                let given = |field: &Field| STATE.contains(field) || SCHEME_STATE.contains(field);
+                let mut wanted = reads::<D>(*reader);
+                wanted.retain(|field| !given(field) && !written(reader, field));
+                wanted
+            };
+            let writers = |field: Field| {
+                let writes = |p: &&PassKind| !chosen.contains(p) && p.footprint::<D>().out.contains(&field);
                 PassKind::ALL.iter().filter(writes).copied().collect::<Vec<_>>()
             };
             // A field with a single writer decides first: that pass may bring the other wanted fields along.
-            let next = wanted.iter().map(&writers).min_by_key(Vec::len).and_then(|w| w.first().copied());
+            let wanted = chosen.iter().flat_map(missing);
+            let next = wanted.map(writers).min_by_key(Vec::len).and_then(|w| w.first().copied());
             match next {
                 Some(pass) => chosen.push(pass),
                 None => break,
@@ -102,6 +129,20 @@ impl Pipeline {
     /// The passes, in the order they run.
     pub fn passes(&self) -> &[PassKind] {
         &self.passes
+    }
+
+    /// Whether particles carry a viscosity coefficient that decays between steps.
+    pub fn switches(&self) -> bool {
+        self.passes.contains(&PassKind::Switch)
+    }
+
+    /// Gives particles what schemes keep beside the [`STATE`]: to be called once, before the first run.
+    pub fn start<const D: usize, E: Engine<D>>(&self, engine: &mut E, physics: Physics) -> Result<(), EngineError> {
+        if self.switches() {
+            let smallest = vec![physics.viscosity.alpha_min; engine.particle_count()];
+            engine.write(Component { field: fields::REMAINING_ALPHA, index: 0 }, &smallest)?;
+        }
+        Ok(())
     }
 
     /// Runs them all.
@@ -119,7 +160,10 @@ impl Pipeline {
     /// Every field a particle carries through this pipeline and its time integration, each once.
     pub fn fields<const D: usize>(&self) -> Vec<Field> {
         let mut all = STATE.to_vec();
-        let updates = [Footprint::of_update::<D, KickDrift>(), Footprint::of_update::<D, Correct>()];
+        let mut updates = vec![Footprint::of_update::<D, KickDrift>(), Footprint::of_update::<D, Correct>()];
+        if self.switches() {
+            updates.push(Footprint::of_update::<D, Decay>());
+        }
         for footprint in self.passes.iter().map(|p| p.footprint::<D>()).chain(updates) {
             for field in footprint.own.into_iter().chain(footprint.other).chain(footprint.out) {
                 if !all.contains(&field) {
@@ -139,6 +183,7 @@ fn reads<const D: usize>(pass: PassKind) -> Vec<Field> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_kernels_gen::components;
 
     #[test]
     fn a_scheme_gets_the_passes_it_needs_and_no_others() {
@@ -149,6 +194,50 @@ mod tests {
         assert_eq!(reconstructed.passes(), [VolumeElements, Density, VelocityGradients, ReconstructedMomentum]);
         assert!(!plain.fields::<3>().contains(&fields::STRAIN_RATE));
         assert!(reconstructed.fields::<3>().contains(&fields::STRAIN_RATE));
+    }
+
+    #[test]
+    fn a_switch_brings_its_own_fields_and_no_other_scheme_has_them() {
+        use PassKind::*;
+        let physics = |dissipation| Physics {
+            kernel: crate::schemes::Kernel::MixedSinc,
+            grad_h: crate::schemes::GradH::Corrected,
+            viscosity: crate::schemes::Viscosity::of(dissipation),
+            gamma_minus_one: 0.4,
+            neighbours: 50.0,
+        };
+        let own = [fields::ALPHA, fields::LOCAL_ALPHA, fields::REMAINING_ALPHA, fields::ALPHA_DECAY_RATE];
+        let numbers = |dissipation| components(&Pipeline::of_scene::<3>(&physics(dissipation)).fields::<3>(), 3).len();
+        for &dissipation in Dissipation::ALL {
+            let pipeline = Pipeline::of_scene::<3>(&physics(dissipation));
+            let carried = own.iter().filter(|f| pipeline.fields::<3>().contains(f)).count();
+            assert_eq!(carried, if dissipation.switches() { 4 } else { 0 }, "{dissipation}");
+            assert_eq!(pipeline.switches(), dissipation.switches(), "{dissipation}");
+        }
+        // Beside these four the switch reads what reconstruction has anyway.
+        assert_eq!(numbers(Dissipation::AvSwSlr), numbers(Dissipation::AvSlr) + 4);
+        assert_eq!(numbers(Dissipation::AvSw), numbers(Dissipation::AvSlr) + 4);
+        assert_eq!(numbers(Dissipation::AvB), numbers(Dissipation::AvSlr));
+        assert_eq!(numbers(Dissipation::AvSlrBStar2F), numbers(Dissipation::AvSlrB2));
+        let switched = Pipeline::of_scene::<3>(&physics(Dissipation::AvSw));
+        assert_eq!(switched.passes(), [VolumeElements, Density, VelocityGradients, Switch, SwitchedMomentum]);
+    }
+
+    #[test]
+    fn conduction_runs_last_and_only_where_it_is_asked_for() {
+        use PassKind::*;
+        let mut physics = crate::scenes::sod::Sod::standard(3).physics();
+        let without = Pipeline::of_scene::<3>(&physics);
+        assert!(!without.passes().contains(&Conduction));
+        physics.viscosity.conduction = crate::schemes::Viscosity::CONDUCTION;
+        let with = Pipeline::of_scene::<3>(&physics);
+        assert_eq!(with.passes()[..4], *without.passes());
+        assert_eq!(with.passes()[4..], [Conduction]);
+        assert_eq!(with.fields::<3>(), without.fields::<3>(), "it carries nothing of its own");
+        assert_eq!(
+            Pipeline::leading_to::<1>(Conduction).passes(),
+            [VolumeElements, Density, Gradients, Momentum, Conduction]
+        );
     }
 
     #[test]
@@ -164,7 +253,7 @@ mod tests {
     #[test]
     fn every_pass_runs_after_those_that_write_what_it_reads() {
         for &last in PassKind::ALL {
-            let mut known: Vec<Field> = STATE.to_vec();
+            let mut known: Vec<Field> = [STATE, SCHEME_STATE].concat();
             for pass in Pipeline::leading_to::<2>(last).passes() {
                 assert!(reads::<2>(*pass).iter().all(|f| known.contains(f)), "{pass:?} reads too early");
                 known.extend(pass.footprint::<2>().out);

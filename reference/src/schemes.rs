@@ -3,18 +3,28 @@
 use crate::choice;
 
 choice! {
-    /// The dissipation schemes of GS25 Table 1 that need no time-dependent coefficient.
+    /// The dissipation schemes of GS25: Table 1, the classical one of its section 2.2, and what Table 8 adds.
     Dissipation, "dissipation scheme" {
         /// Constant coefficients, no limiter.
         Av = "AV",
+        /// A linear coefficient that rises where the flow is about to converge and decays elsewhere (9, 10).
+        AvSw = "AVSW",
         /// Velocities reconstructed at the pair's midpoint.
         AvSlr = "AVSLR",
+        /// Both: the switch's coefficient and reconstructed velocities.
+        AvSwSlr = "AVSWSLR",
         /// Reconstruction times `1 - B`.
         AvSlrB = "AVSLRB",
         /// Reconstruction times `1 - B^2`.
         AvSlrB2 = "AVSLRB2",
         /// The same, and the linear coefficient lowered to `max(F, B)`.
         AvSlrB2F = "AVSLRB2F",
+        /// The classical form in `mu` (4, 5), multiplied with Balsara's limiter (7).
+        AvB = "AVB",
+        /// AVSLRB2 with the limiter that knows the period of a driven wave (28).
+        AvSlrBStar2 = "AVSLRB*2",
+        /// AVSLRB2F with that limiter.
+        AvSlrBStar2F = "AVSLRB*2F",
     }
 }
 
@@ -43,6 +53,16 @@ choice! {
         Exact = "exact",
         /// With the derivative of the partition of unity taken out (C25 31).
         Corrected = "corrected",
+    }
+}
+
+choice! {
+    /// Which velocity of approach stands in the viscosity.
+    ApproachForm, "form of the viscosity" {
+        /// `omega`, along the line of centres (GS25 6).
+        Projected = "projected",
+        /// `mu`, weighted with `h/r` and regularised (GS25 4, 5): the classical form, and (27) as printed.
+        Regularised = "regularised",
     }
 }
 
@@ -101,7 +121,15 @@ impl Kernel {
 impl Dissipation {
     /// Whether velocities are reconstructed before they enter the viscosity.
     pub const fn reconstructs(self) -> bool {
-        !matches!(self, Dissipation::Av)
+        !matches!(self, Dissipation::Av | Dissipation::AvSw | Dissipation::AvB)
+    }
+    /// Whether the linear coefficient depends on time (GS25 9, 10).
+    pub const fn switches(self) -> bool {
+        matches!(self, Dissipation::AvSw | Dissipation::AvSwSlr)
+    }
+    /// Whether the limiter has to know the period of a driven wave (GS25 28).
+    pub const fn knows_waves(self) -> bool {
+        matches!(self, Dissipation::AvSlrBStar2 | Dissipation::AvSlrBStar2F)
     }
 }
 
@@ -110,20 +138,60 @@ impl Dissipation {
 pub struct Viscosity {
     /// The scheme.
     pub dissipation: Dissipation,
-    /// Linear coefficient (GS25 Table 1: 1).
+    /// Which velocity of approach it takes.
+    pub form: ApproachForm,
+    /// Linear coefficient (GS25 Table 1: 1); the largest where it depends on time.
     pub alpha: f64,
+    /// The smallest linear coefficient where it depends on time (GS25 section 2.1: 0.05).
+    pub alpha_min: f64,
     /// Quadratic coefficient (GS25 Table 1: 2).
     pub beta: f64,
     /// Width of the cut-off of the reconstruction at short range, in units of `h` (GS25 14: 0.2).
     pub q_fold: f64,
-    /// Floor of the linear coefficient in AVSLRB2F (GS25 Table 1: 0.5).
+    /// Floor of the linear coefficient in AVSLRB2F and AVSLRB*2F (GS25 Tables 1 and 8: 0.5).
     pub floor: f64,
+    /// The period of the wave's driver in the schemes that know it (GS25 section 5.2: 0.05, the membrane's), a time.
+    pub wave_period: f64,
+    /// Coefficient of artificial conduction, `alpha_u`; zero for none ([`Viscosity::CONDUCTION`] where there is some).
+    pub conduction: f64,
 }
 
 impl Viscosity {
-    /// The scheme with the coefficients of GS25 Table 1.
+    /// The coefficient of conduction that GS25 section 3.6 states.
+    pub const CONDUCTION: f64 = 0.1;
+
+    /// The scheme with the coefficients of GS25's Tables 1 and 8, without conduction.
     pub const fn of(dissipation: Dissipation) -> Self {
-        Viscosity { dissipation, alpha: 1.0, beta: 2.0, q_fold: 0.2, floor: 0.5 }
+        let form = match dissipation {
+            Dissipation::AvB => ApproachForm::Regularised,
+            _ => ApproachForm::Projected,
+        };
+        Viscosity {
+            dissipation,
+            form,
+            alpha: 1.0,
+            alpha_min: 0.05,
+            beta: 2.0,
+            q_fold: 0.2,
+            floor: 0.5,
+            wave_period: 0.05,
+            conduction: 0.0,
+        }
+    }
+
+    /// The six schemes of the oscillating membrane, in the order of GS25 Table 8. The first has a lower coefficient than elsewhere.
+    pub const MEMBRANE: [Self; 6] = [
+        Viscosity { alpha: 0.2, ..Self::of(Dissipation::Av) },
+        Self::of(Dissipation::AvSw),
+        Self::of(Dissipation::AvSlrB2),
+        Self::of(Dissipation::AvSwSlr),
+        Self::of(Dissipation::AvSlrBStar2),
+        Self::of(Dissipation::AvSlrBStar2F),
+    ];
+
+    /// The angular frequency of the wave's driver, `2 pi / T` (GS25 28).
+    pub fn angular_frequency(&self) -> f64 {
+        std::f64::consts::TAU / self.wave_period
     }
 }
 
@@ -136,7 +204,8 @@ mod tests {
         for &scheme in Dissipation::ALL {
             assert_eq!(scheme.name().to_lowercase().parse(), Ok(scheme));
         }
-        let error = "AVSW".parse::<Dissipation>().unwrap_err().to_string();
-        assert_eq!(error, "there is no dissipation scheme `AVSW`; choose one of AV, AVSLR, AVSLRB, AVSLRB2, AVSLRB2F");
+        let error = "AVX".parse::<Dissipation>().unwrap_err().to_string();
+        let all = "AV, AVSW, AVSLR, AVSWSLR, AVSLRB, AVSLRB2, AVSLRB2F, AVB, AVSLRB*2, AVSLRB*2F";
+        assert_eq!(error, format!("there is no dissipation scheme `AVX`; choose one of {all}"));
     }
 }

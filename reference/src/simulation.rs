@@ -5,7 +5,7 @@
 
 use crate::engine::{Engine, EngineError};
 use crate::fields;
-use crate::passes::{Correct, KickDrift, Physics};
+use crate::passes::{Correct, Decay, KickDrift, Physics};
 use crate::pipeline::Pipeline;
 
 /// A step shorter than this fraction of the time already run would never end.
@@ -38,6 +38,7 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
                 }
             }
         }
+        pipeline.start(&mut engine, physics)?;
         let mut simulation = Simulation { engine, physics, pipeline, time: 0.0, steps: 0, next_step: 0.0 };
         for _ in 0..10 {
             simulation.forces()?;
@@ -68,6 +69,9 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
         // What would be left over would be no step.
         let step = if rest - self.next_step <= SHORTEST_STEP * until { rest } else { self.next_step };
         self.engine.run_update(&KickDrift(self.physics), step)?;
+        if self.pipeline.switches() {
+            self.engine.run_update(&Decay(self.physics), step)?;
+        }
         self.engine.drift()?;
         self.forces()?;
         self.engine.run_update(&Correct, step)?;

@@ -55,7 +55,7 @@ pub struct SceneArguments {
     /// About how many particles, boundary layers not counted [default: 450 in 1-D, 6000 in 2-D, 11000 in 3-D]
     #[arg(long, value_parser = count, allow_negative_numbers = true)]
     pub n: Option<usize>,
-    /// Dissipation scheme: AV, AVSLR, AVSLRB, AVSLRB2 or AVSLRB2F
+    /// Dissipation scheme: AV, AVSW, AVSLR, AVSWSLR, AVSLRB, AVSLRB2, AVSLRB2F or AVB; `etalon scenes` lists all
     #[arg(long, value_name = "NAME", default_value = "AVSLRB2")]
     pub scheme: Dissipation,
     /// Kernel: sinc49, M4, M6, C2, C4 or C6
@@ -67,6 +67,9 @@ pub struct SceneArguments {
     /// The grad-h factor: exact or corrected
     #[arg(long, value_name = "FORM", default_value = "corrected")]
     pub grad_h: GradH,
+    /// Artificial conduction of heat with this coefficient [default: none; 0.1 if no number is given]
+    #[arg(long, value_name = "ALPHA", num_args = 0..=1, default_missing_value = "0.1", value_parser = number, allow_negative_numbers = true)]
+    pub conduction: Option<f64>,
     /// How particles start: on a lattice, or relaxed to a glass
     #[arg(long, value_name = "HOW", default_value = "lattice")]
     pub start: Start,

@@ -34,6 +34,7 @@ impl Setup {
             neighbours: arguments.neighbours.unwrap_or(usual),
             dissipation: arguments.scheme,
             grad_h: arguments.grad_h,
+            conduction: arguments.conduction.unwrap_or(0.0),
         };
         let setup = Setup { dimension: arguments.dim, sod, end_time: arguments.end_time };
         match setup.dimension {
@@ -41,8 +42,25 @@ impl Setup {
             2 => sod.check::<2>(),
             _ => sod.check::<3>(),
         }?;
+        setup.check_dissipation()?;
         setup.check_end_time()?;
         Ok(setup)
+    }
+
+    /// A limiter that has to know a wave's period has none to know here; heat flows from the hotter to the colder.
+    fn check_dissipation(&self) -> Result<(), Failure> {
+        let Sod { dissipation, conduction, .. } = self.sod;
+        if dissipation.knows_waves() {
+            return Err(Failure::BadInput(format!(
+                "--scheme {dissipation}: it needs the period of a driven wave, and the tube has none; choose {}, which it is where the \
+                 period is infinite",
+                dissipation.name().replace('*', "")
+            )));
+        }
+        if conduction < 0.0 {
+            return Err(Failure::BadInput(format!("--conduction {conduction}: give a number that is not negative")));
+        }
+        Ok(())
     }
 
     /// The exact solution lasts until a wave reaches an end of the tube.
@@ -69,23 +87,32 @@ impl Setup {
 
     /// Options that give this setup again, all spelled out.
     pub fn options(&self) -> String {
-        let Sod { particles, arrangement, smoothed, gamma, kernel, neighbours, dissipation, grad_h } = self.sod;
+        let Sod { particles, arrangement, smoothed, gamma, kernel, neighbours, dissipation, grad_h, conduction } =
+            self.sod;
         let start = Start::ALL.iter().find(|s| s.arrangement() == arrangement).map_or("lattice", |s| s.name());
         let smoothed = if smoothed { " --smoothed" } else { "" };
+        let conduction = if conduction > 0.0 { format!(" --conduction {conduction}") } else { String::new() };
         format!(
             "sod --dim {} --n {particles} --scheme {dissipation} --kernel {kernel} --neighbours {neighbours} --grad-h {grad_h} \
-             --start {start}{smoothed} --gamma {gamma} --end-time {}",
+             --start {start}{smoothed}{conduction} --gamma {gamma} --end-time {}",
             self.dimension, self.end_time
         )
     }
 
     /// The scheme's coefficients in words.
     pub fn coefficients(&self) -> String {
-        let Viscosity { dissipation: _, alpha, beta, q_fold, floor: _ } = self.sod.physics().viscosity;
-        match self.sod.dissipation.reconstructs() {
-            true => format!("α = {alpha}, β = {beta}, reconstruction cut off over {q_fold} h"),
+        let Viscosity { dissipation, alpha, alpha_min, beta, q_fold, conduction, .. } = self.sod.physics().viscosity;
+        let mut words = match dissipation.switches() {
+            true => format!("α from {alpha_min} to {alpha}, β = {beta}"),
             false => format!("α = {alpha}, β = {beta}"),
+        };
+        if dissipation.reconstructs() {
+            words += &format!(", reconstruction cut off over {q_fold} h");
         }
+        if conduction > 0.0 {
+            words += &format!(", conduction α_u = {conduction}");
+        }
+        words
     }
 }
 

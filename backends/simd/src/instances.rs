@@ -6,7 +6,8 @@
 use crate::engine::LaneEngine;
 use etalon_reference::engine::{Engine, EngineError};
 use etalon_reference::passes::{
-    Correct, Density, Gradients, KickDrift, Momentum, ReconstructedMomentum, VelocityGradients, VolumeElements,
+    Conduction, Correct, Decay, Density, Gradients, KickDrift, Momentum, ReconstructedMomentum, Switch,
+    SwitchedMomentum, VelocityGradients, VolumeElements,
 };
 
 type Run<const D: usize, T, P> = fn(&mut LaneEngine<T, D>, &P) -> Result<(), EngineError>;
@@ -23,8 +24,12 @@ macro_rules! instances {
             Run<$dimension, $number, VelocityGradients>,
             Run<$dimension, $number, Momentum>,
             Run<$dimension, $number, ReconstructedMomentum>,
+            Run<$dimension, $number, Switch>,
+            Run<$dimension, $number, SwitchedMomentum>,
+            Run<$dimension, $number, Conduction>,
             Advance<$dimension, $number, KickDrift>,
             Advance<$dimension, $number, Correct>,
+            Advance<$dimension, $number, Decay>,
         ) = (
             Engine::run_pass,
             Engine::run_pass,
@@ -32,6 +37,10 @@ macro_rules! instances {
             Engine::run_pass,
             Engine::run_pass,
             Engine::run_pass,
+            Engine::run_pass,
+            Engine::run_pass,
+            Engine::run_pass,
+            Engine::run_update,
             Engine::run_update,
             Engine::run_update,
         );

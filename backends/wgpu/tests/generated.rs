@@ -3,10 +3,10 @@
 use etalon_kernels_gen::emit::Header;
 use etalon_kernels_gen::trace::{Drawing, Single};
 use etalon_kernels_gen::{Pass, Update};
-use etalon_reference::passes::{Correct, KickDrift, Physics};
+use etalon_reference::passes::{Correct, Decay, KickDrift, Physics};
 use etalon_reference::pipeline::{PassKind, PassVisitor, Pipeline};
 use etalon_reference::scenes::sod::Sod;
-use etalon_reference::schemes::{Dissipation, GradH, Kernel};
+use etalon_reference::schemes::{Dissipation, GradH, Kernel, Viscosity};
 use etalon_wgpu::{Slots, pass_text, update_text, validate, wgsl};
 
 const HEAD: Header<'static> = Header { command: "etalon emit --target wgsl", definition: "reference/src/passes" };
@@ -40,6 +40,9 @@ fn texts<const D: usize>(physics: Physics) -> Vec<(&'static str, String)> {
     }
     texts.update::<D, _>(&KickDrift(physics));
     texts.update::<D, _>(&Correct);
+    if pipeline.switches() {
+        texts.update::<D, _>(&Decay(physics));
+    }
     texts.made
 }
 
@@ -51,9 +54,10 @@ fn all_valid<const D: usize>() {
     let usual = physics::<D>(Dissipation::AvSlrB2);
     let schemes = Dissipation::ALL.iter().map(|&dissipation| physics::<D>(dissipation));
     let kernels = Kernel::ALL.iter().map(|&kernel| Physics { kernel, ..usual });
-    let exact = [Physics { grad_h: GradH::Exact, ..usual }];
+    let conducting = Viscosity { conduction: Viscosity::CONDUCTION, ..usual.viscosity };
+    let others = [Physics { grad_h: GradH::Exact, ..usual }, Physics { viscosity: conducting, ..usual }];
     let mut seen = 0;
-    for physics in schemes.chain(kernels).chain(exact) {
+    for physics in schemes.chain(kernels).chain(others) {
         for (name, text) in texts::<D>(physics) {
             validate(name, &text).unwrap_or_else(|error| panic!("{D}-D {physics:?}: {error}\n{text}"));
             // WebGPU guarantees eight.
@@ -62,7 +66,9 @@ fn all_valid<const D: usize>() {
             seen += 1;
         }
     }
-    assert_eq!(seen, 6 * (Dissipation::ALL.len() + Kernel::ALL.len() + 1));
+    // Four passes and two updates; a sweep and an update more with a switch, a sweep more with conduction.
+    let switched = Dissipation::ALL.iter().filter(|d| d.switches()).count();
+    assert_eq!(seen, 6 * (Dissipation::ALL.len() + Kernel::ALL.len() + 2) + 2 * switched + 1);
 }
 
 #[test]

@@ -1,7 +1,23 @@
-//! Profiles that scenes start from.
+//! Profiles that scenes start from: functions of position, a file per test problem.
+
+pub mod gresho_chan;
+pub mod kelvin_helmholtz;
+pub mod rayleigh_taylor;
+pub mod wind_cloud;
 
 use etalon_kernels_gen::functions::exp_negative;
-use etalon_kernels_gen::{Real, equation};
+use etalon_kernels_gen::{Real, Vector, equation};
+
+/// What a gas is like at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GasState<R, const D: usize> {
+    /// Density (M L^-nu).
+    pub density: R,
+    /// Velocity (L T^-1).
+    pub velocity: Vector<R, D>,
+    /// Pressure (M L^(2-nu) T^-2).
+    pub pressure: R,
+}
 
 /// The smoothed pressure of the shock tube, `P = -A tanh((x - x_c) / delta) + B`.
 ///

@@ -1,5 +1,6 @@
 //! The equations, each once. A file per subject; each function's page gives the formula, its symbols and its source.
 
+pub mod conduction;
 pub mod dissipation;
 pub mod double_hump;
 pub mod drag;
@@ -15,6 +16,7 @@ pub mod polar;
 pub mod reconstruction;
 pub mod smoothing_length;
 pub mod stiff_drag;
+pub mod switch;
 pub mod time_step;
 pub mod turbulence;
 pub mod volume_elements;

@@ -92,10 +92,12 @@ pub fn critical_separation<R: Real, const D: usize>(neighbours: R, support_volum
 #[equation("gs25:18", "gs25:19", "c25:17")]
 pub fn reconstruction_share<R: Real>(viscosity: &Viscosity, balsara_ab: R) -> R {
     match viscosity.dissipation {
-        Dissipation::Av => R::zero(),
-        Dissipation::AvSlr => R::one(),
+        Dissipation::Av | Dissipation::AvSw | Dissipation::AvB => R::zero(),
+        Dissipation::AvSlr | Dissipation::AvSwSlr => R::one(),
         Dissipation::AvSlrB => 1.0 - balsara_ab,
-        Dissipation::AvSlrB2 | Dissipation::AvSlrB2F => 1.0 - balsara_ab * balsara_ab,
+        Dissipation::AvSlrB2 | Dissipation::AvSlrB2F | Dissipation::AvSlrBStar2 | Dissipation::AvSlrBStar2F => {
+            1.0 - balsara_ab * balsara_ab
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The third sweep: what gradients need, the grad-h factor, and the coefficient of the pressure force.
 
 use super::Physics;
-use crate::equations::dissipation::balsara_limiter;
+use crate::equations::dissipation::{balsara_limiter, wave_aware_limiter};
 use crate::equations::grad_h::{
     density_derivative_corrected, density_derivative_exact, grad_h_factor, partition_derivative_term,
 };
@@ -20,7 +20,7 @@ const SMALLEST_SPREAD: f64 = 1e-20;
 #[derive(Clone, Copy, Debug)]
 pub struct Gradients(pub Physics);
 
-/// [`Gradients`], with the velocity gradient (C25 3) and Balsara's limiter (GS25 8) besides.
+/// [`Gradients`], with the velocity gradient (C25 3) and Balsara's limiter (GS25 8, or 28) besides.
 #[derive(Clone, Copy, Debug)]
 pub struct VelocityGradients(pub Physics);
 
@@ -200,11 +200,15 @@ impl<const D: usize> Pass<D> for VelocityGradients {
         let scale = inverse_volume::<R, D>(own.base.inverse_h);
         let integral = sums.velocity_moments.scale(scale);
         let jacobian = gradient(integral, base.c);
-        VelocityGradientsOut {
-            base,
-            strain_rate: jacobian.symmetric_part(),
-            balsara: balsara_limiter(jacobian.trace(), curl(jacobian), own.sound_speed, own.base.inverse_h),
-        }
+        let viscosity = &self.0.viscosity;
+        let (divergence, curl) = (jacobian.trace(), curl(jacobian));
+        let balsara = if viscosity.dissipation.knows_waves() {
+            let frequency = R::lit(viscosity.angular_frequency());
+            wave_aware_limiter(divergence, curl, own.sound_speed, own.base.inverse_h, frequency)
+        } else {
+            balsara_limiter(divergence, curl, own.sound_speed, own.base.inverse_h)
+        };
+        VelocityGradientsOut { base, strain_rate: jacobian.symmetric_part(), balsara }
     }
 }
 

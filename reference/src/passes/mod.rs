@@ -1,17 +1,26 @@
 //! The sweeps over the particles, each defined once for every backend.
 //!
 //! A step runs [`VolumeElements`], [`Density`], then [`Gradients`] and [`Momentum`]; a scheme that reconstructs velocities takes
-//! [`VelocityGradients`] and [`ReconstructedMomentum`] instead. What each reads and writes is in its records.
+//! [`VelocityGradients`] and [`ReconstructedMomentum`] instead, one with a time-dependent coefficient [`VelocityGradients`], [`Switch`] and
+//! [`SwitchedMomentum`]. [`Conduction`] follows where it is asked for. What each reads and writes is in its records.
 
+mod conduction;
 mod density;
 mod gradients;
 mod momentum;
+mod sign_reversal;
+mod switch;
+mod switched_momentum;
 mod updates;
 mod volume_elements;
 
+pub use conduction::Conduction;
 pub use density::Density;
 pub use gradients::{Gradients, VelocityGradients};
 pub use momentum::{Momentum, ReconstructedMomentum};
+pub use sign_reversal::SignReversal;
+pub use switch::{Decay, Switch};
+pub use switched_momentum::SwitchedMomentum;
 pub use updates::{Correct, KickDrift};
 pub use volume_elements::VolumeElements;
 

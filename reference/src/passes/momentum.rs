@@ -2,7 +2,8 @@
 
 use super::Physics;
 use crate::equations::dissipation::{
-    approach_velocity, linear_coefficient, pair_balsara, pair_viscosity, signal_velocity,
+    approach_velocity, limited_viscosity, linear_coefficient, pair_balsara, pair_viscosity, regularised_approach,
+    signal_velocity,
 };
 use crate::equations::gradients::integral_gradient;
 use crate::equations::hydrodynamics::{
@@ -14,6 +15,7 @@ use crate::equations::reconstruction::{
 };
 use crate::equations::time_step::{acceleration_step, cooling_step, courant_step};
 use crate::fields::*;
+use crate::schemes::{ApproachForm, Dissipation, Viscosity};
 use etalon_kernels_gen::functions::ratio_or_zero;
 use etalon_kernels_gen::{Pass, Real, Scalar, Separation, Symmetric, Vector, record};
 
@@ -21,7 +23,8 @@ use etalon_kernels_gen::{Pass, Real, Scalar, Separation, Symmetric, Vector, reco
 #[derive(Clone, Copy, Debug)]
 pub struct Momentum(pub Physics);
 
-/// [`Momentum`] with the viscosity of reconstructed velocities (GS25 11-19).
+/// [`Momentum`] with what velocity gradients allow: reconstructed velocities in the viscosity (GS25 11-19, 27, 28), or Balsara's limiter on
+/// the viscosity itself (GS25 7).
 #[derive(Clone, Copy, Debug)]
 pub struct ReconstructedMomentum(pub Physics);
 
@@ -92,18 +95,79 @@ record! {
 }
 
 /// What the line of centres of a pair looks like.
-struct Line<R> {
+pub(super) struct Line<R> {
     r: R,
     inverse_r: R,
-    omega: R,
+    /// The velocity of approach.
+    pub(super) omega: R,
+}
+
+impl<R: Real> Line<R> {
+    #[inline(always)]
+    pub(super) fn of<const D: usize>(v_a: Vector<R, D>, v_b: Vector<R, D>, at: &Separation<R, D>) -> Self {
+        let r = at.r_squared.sqrt();
+        let inverse_r = ratio_or_zero(R::one(), r);
+        Line { r, inverse_r, omega: approach_velocity(v_a - v_b, at.x_ab, inverse_r) }
+    }
+}
+
+/// What the reconstruction takes of one particle of a pair.
+pub(super) struct Side<R> {
+    /// `x_ab . J x_ab`.
+    pub(super) slope: R,
+    pub(super) inverse_h: R,
+    pub(super) q_crit: R,
+}
+
+/// The velocity of approach of the velocities reconstructed half-way, with `share` of the reconstruction left by the scheme.
+#[inline(always)]
+pub(super) fn reconstructed_omega<R: Real>(viscosity: &Viscosity, line: &Line<R>, sides: [Side<R>; 2], share: R) -> R {
+    let [a, b] = sides;
+    let limiter = slope_limiter(a.slope, b.slope) * share;
+    let inverse_q_fold = R::lit(1.0 / viscosity.q_fold);
+    let q = pair_separation(line.r, a.inverse_h, b.inverse_h);
+    let phi_ab = limiter * short_range_factor(q, a.q_crit, inverse_q_fold);
+    let phi_ba = limiter * short_range_factor(q, b.q_crit, inverse_q_fold);
+    reconstructed_approach_velocity(line.omega, phi_ab, a.slope, phi_ba, b.slope, line.inverse_r)
+}
+
+/// What a scheme's viscosity is made of, for one pair.
+pub(super) struct Friction<R> {
+    /// The velocity of approach it is to use.
+    pub(super) omega: R,
+    /// The linear coefficient.
+    pub(super) alpha: R,
+    /// What it is multiplied with, if anything.
+    pub(super) limiter: Option<R>,
 }
 
 impl Momentum {
+    /// `Pi_ab` (GS25 4-7).
     #[inline(always)]
-    fn line<R: Real, const D: usize>(a: &MomentumPair<R, D>, b: &MomentumPair<R, D>, at: &Separation<R, D>) -> Line<R> {
-        let r = at.r_squared.sqrt();
-        let inverse_r = ratio_or_zero(R::one(), r);
-        Line { r, inverse_r, omega: approach_velocity(a.velocity - b.velocity, at.x_ab, inverse_r) }
+    fn viscosity<R: Real, const D: usize>(
+        &self,
+        a: &MomentumPair<R, D>,
+        b: &MomentumPair<R, D>,
+        at: &Separation<R, D>,
+        line: &Line<R>,
+        friction: Friction<R>,
+    ) -> R {
+        let half = R::lit(0.5);
+        let mean_density = half * (a.density + b.density);
+        let mean_sound_speed = half * (a.sound_speed + b.sound_speed);
+        let approach = match self.0.viscosity.form {
+            ApproachForm::Projected => friction.omega,
+            ApproachForm::Regularised => {
+                let mean_h = half * (R::one() / a.inverse_h + R::one() / b.inverse_h);
+                regularised_approach(friction.omega * line.r, at.r_squared, mean_h)
+            }
+        };
+        let beta = R::lit(self.0.viscosity.beta);
+        let viscosity = pair_viscosity(friction.alpha, beta, mean_sound_speed, approach, mean_density);
+        match friction.limiter {
+            Some(balsara) => limited_viscosity(balsara, viscosity),
+            None => viscosity,
+        }
     }
 
     /// `W_ab(h)`.
@@ -113,16 +177,15 @@ impl Momentum {
         shape.value * inverse_volume::<R, D>(inverse_h)
     }
 
-    /// All that a neighbour does, given the velocity of approach and the linear coefficient that its viscosity is to use.
+    /// All that a neighbour does, given what its viscosity is made of.
     #[inline(always)]
-    fn forces<R: Real, const D: usize>(
+    pub(super) fn forces<R: Real, const D: usize>(
         &self,
         a: &MomentumPair<R, D>,
         b: &MomentumPair<R, D>,
         at: &Separation<R, D>,
-        omega: R,
-        viscous_omega: R,
-        alpha: R,
+        line: &Line<R>,
+        friction: Friction<R>,
     ) -> MomentumSums<R, D> {
         let x_ba = -at.x_ab;
         let v_ab = a.velocity - b.velocity;
@@ -131,11 +194,7 @@ impl Momentum {
         let mean_gradient = (gradient_a + gradient_b).scale(R::lit(0.5));
 
         let crossed = crossed_weight(a.density, b.density, a.standard_density, b.standard_density);
-        let half = R::lit(0.5);
-        let mean_density = half * (a.density + b.density);
-        let mean_sound_speed = half * (a.sound_speed + b.sound_speed);
-        let viscosity =
-            pair_viscosity(alpha, R::lit(self.0.viscosity.beta), mean_sound_speed, viscous_omega, mean_density);
+        let viscosity = self.viscosity(a, b, at, line, friction);
 
         let pressure = pressure_acceleration(
             b.mass,
@@ -149,8 +208,15 @@ impl Momentum {
         MomentumSums {
             acceleration: pressure + viscous_acceleration(b.mass, viscosity, mean_gradient),
             energy_rate: work + viscous_heating(b.mass, viscosity, v_ab, mean_gradient),
-            signal_velocity: signal_velocity(a.sound_speed, b.sound_speed, omega.min(R::zero())),
+            signal_velocity: signal_velocity(a.sound_speed, b.sound_speed, line.omega.min(R::zero())),
         }
+    }
+
+    /// The largest signal velocity, that between the particle and itself included.
+    #[inline(always)]
+    pub(super) fn largest_signal<R: Real, const D: usize>(own: &MomentumOwn<R, D>, sums: &MomentumSums<R, D>) -> R {
+        let slowest = own.pair.sound_speed + own.pair.sound_speed;
+        sums.signal_velocity.max(slowest)
     }
 }
 
@@ -163,9 +229,9 @@ impl<const D: usize> Pass<D> for Momentum {
 
     #[inline(always)]
     fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, at: &Separation<R, D>) -> Self::Sums<R> {
-        let omega = Self::line(&own.pair, other, at).omega;
-        let alpha = R::lit(self.0.viscosity.alpha);
-        self.forces(&own.pair, other, at, omega, omega, alpha)
+        let line = Line::of(own.pair.velocity, other.velocity, at);
+        let friction = Friction { omega: line.omega, alpha: R::lit(self.0.viscosity.alpha), limiter: None };
+        self.forces(&own.pair, other, at, &line, friction)
     }
 
     #[inline(always)]
@@ -174,8 +240,7 @@ impl<const D: usize> Pass<D> for Momentum {
         let acceleration = sums.acceleration.scale(mobility);
         let energy_rate = sums.energy_rate * mobility;
         let h = R::one() / own.pair.inverse_h;
-        let slowest = own.pair.sound_speed + own.pair.sound_speed;
-        let time_step = courant_step(h, sums.signal_velocity.max(slowest))
+        let time_step = courant_step(h, Self::largest_signal(own, sums))
             .min(acceleration_step(h, acceleration.norm()))
             .min(cooling_step(internal_energy, energy_rate));
         MomentumOut { acceleration, energy_rate, time_step }
@@ -194,20 +259,27 @@ impl<const D: usize> Pass<D> for ReconstructedMomentum {
         let viscosity = &self.0.viscosity;
         let (a, b) = (&own.base.pair, &other.base);
         let (recon_a, recon_b) = (&own.reconstruction, &other.reconstruction);
-        let Line { r, inverse_r, omega } = Momentum::line(a, b, at);
+        let line = Line::of(a.velocity, b.velocity, at);
 
         let slope_a = recon_a.strain_rate.quadratic_form(at.x_ab);
         let slope_b = recon_b.strain_rate.quadratic_form(at.x_ab);
         let balsara = pair_balsara(recon_a.balsara, recon_b.balsara);
-        let limiter = slope_limiter(slope_a, slope_b) * reconstruction_share(viscosity, balsara);
-        let inverse_q_fold = R::lit(1.0 / viscosity.q_fold);
-        let q = pair_separation(r, a.inverse_h, b.inverse_h);
-        let phi_ab = limiter * short_range_factor(q, recon_a.q_crit, inverse_q_fold);
-        let phi_ba = limiter * short_range_factor(q, recon_b.q_crit, inverse_q_fold);
-        let omega_prime = reconstructed_approach_velocity(omega, phi_ab, slope_a, phi_ba, slope_b, inverse_r);
+        let omega = if viscosity.dissipation.reconstructs() {
+            let sides = [
+                Side { slope: slope_a, inverse_h: a.inverse_h, q_crit: recon_a.q_crit },
+                Side { slope: slope_b, inverse_h: b.inverse_h, q_crit: recon_b.q_crit },
+            ];
+            reconstructed_omega(viscosity, &line, sides, reconstruction_share(viscosity, balsara))
+        } else {
+            line.omega
+        };
 
         let alpha = linear_coefficient(viscosity, balsara);
-        Momentum(self.0).forces(a, b, at, omega, omega_prime, alpha)
+        let limiter = match viscosity.dissipation {
+            Dissipation::AvB => Some(balsara),
+            _ => None,
+        };
+        Momentum(self.0).forces(a, b, at, &line, Friction { omega, alpha, limiter })
     }
 
     #[inline(always)]

@@ -43,6 +43,8 @@ pub struct Sod {
     pub dissipation: Dissipation,
     /// The grad-h form.
     pub grad_h: GradH,
+    /// The coefficient of artificial conduction; zero for none.
+    pub conduction: f64,
 }
 
 /// What is wrong with the choices.
@@ -98,6 +100,7 @@ impl Sod {
             neighbours: Self::usual_neighbours(dimension),
             dissipation: Dissipation::AvSlrB2,
             grad_h: GradH::Corrected,
+            conduction: 0.0,
         }
     }
 
@@ -111,7 +114,7 @@ impl Sod {
         Physics {
             kernel: self.kernel,
             grad_h: self.grad_h,
-            viscosity: Viscosity::of(self.dissipation),
+            viscosity: Viscosity { conduction: self.conduction, ..Viscosity::of(self.dissipation) },
             gamma_minus_one: self.gamma - 1.0,
             neighbours: self.neighbours,
         }

@@ -1,13 +1,14 @@
 //! Where gas ends: few neighbours, all on one side, a partition of unity far from one, and beyond it next to nothing.
 
 use crate::cloud::Recipe;
+use crate::pairs::with_last_sweep;
 use crate::totals::totals_of_a_cloud_are_kept;
 use crate::{all_physics, run};
 use etalon_kernels_gen::components;
 use etalon_reference::engine::Engine;
 use etalon_reference::fields;
 use etalon_reference::particles::{Particle, ParticleSet};
-use etalon_reference::passes::{Momentum, Physics, ReconstructedMomentum};
+use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
 
 /// A slab across the first axis with vacuum on either side, farther than any support; its outermost layers are a million times lighter.
@@ -27,11 +28,7 @@ fn slab<const D: usize>() -> ParticleSet<D> {
 
 fn surface_is_sound<const D: usize>(physics: Physics) {
     let set = slab::<D>();
-    if physics.viscosity.dissipation.reconstructs() {
-        totals_of_a_cloud_are_kept::<ReconstructedMomentum, D>(&set, physics);
-    } else {
-        totals_of_a_cloud_are_kept::<Momentum, D>(&set, physics);
-    }
+    with_last_sweep!(physics, totals_of_a_cloud_are_kept::<D>(&set, physics));
     let mut engine = run(&set, physics);
     for component in components(&Pipeline::of_scene::<D>(&physics).fields::<D>(), D) {
         let Ok(values) = engine.read(component) else { continue };

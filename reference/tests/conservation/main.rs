@@ -36,7 +36,14 @@ fn all_physics() -> impl Iterator<Item = Physics> {
 /// The reference engine after one round of all passes.
 fn run<const D: usize>(set: &ParticleSet<D>, physics: Physics) -> PlainEngine<f64, D> {
     let mut engine = PlainEngine::<f64, D>::new(set);
-    engine.find_neighbours(physics.kernel.support()).unwrap();
-    Pipeline::of_scene::<D>(&physics).run(&mut engine, physics).unwrap();
+    run_on(&mut engine, physics);
     engine
+}
+
+/// Neighbours and one round of all passes.
+fn run_on<const D: usize>(engine: &mut impl Engine<D>, physics: Physics) {
+    engine.find_neighbours(physics.kernel.support()).unwrap();
+    let pipeline = Pipeline::of_scene::<D>(&physics);
+    pipeline.start(engine, physics).unwrap();
+    pipeline.run(engine, physics).unwrap();
 }

@@ -6,9 +6,9 @@ use etalon_reference::domain::Domain;
 use etalon_reference::engine::{Engine, PlainEngine};
 use etalon_reference::fields;
 use etalon_reference::particles::{Particle, ParticleSet};
-use etalon_reference::passes::{KickDrift, Physics};
+use etalon_reference::passes::{Decay, KickDrift, Physics};
 use etalon_reference::pipeline::Pipeline;
-use etalon_reference::schemes::{Dissipation, GradH, Kernel};
+use etalon_reference::schemes::{Dissipation, GradH, Kernel, Viscosity};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -102,9 +102,13 @@ fn all_is_finite<E: Engine<D>, const D: usize>(make: impl Fn(&ParticleSet<D>) ->
                 let mut engine = make(&ParticleSet::new(domain, moved).unwrap());
                 engine.find_neighbours(physics.kernel.support()).unwrap();
                 let pipeline = Pipeline::of_scene::<D>(&physics);
+                pipeline.start(&mut engine, physics).unwrap();
                 pipeline.run(&mut engine, physics).unwrap();
                 assert!(engine.minimum(fields::TIME_STEP).unwrap() > 0.0, "{name}: no time step");
                 engine.run_update(&KickDrift(physics), 1e-6).unwrap();
+                if pipeline.switches() {
+                    engine.run_update(&Decay(physics), 1e-6).unwrap();
+                }
                 let mut checked = 0;
                 for component in components(&pipeline.fields::<D>(), D) {
                     let Ok(values) = engine.read(component) else { continue };
@@ -134,6 +138,12 @@ fn both_precisions(physics: Physics) {
 #[test]
 fn no_set_of_particles_makes_a_nan() {
     all_physics().for_each(both_precisions);
+    for dissipation in [Dissipation::Av, Dissipation::AvSwSlr] {
+        for grad_h in [GradH::Exact, GradH::Corrected] {
+            let viscosity = Viscosity { conduction: Viscosity::CONDUCTION, ..Viscosity::of(dissipation) };
+            both_precisions(Physics { viscosity, ..physics(dissipation, grad_h) });
+        }
+    }
 }
 
 #[test]

@@ -2,14 +2,14 @@
 //! bit, as each field's own unit says.
 
 use crate::cloud::Recipe;
-use crate::{all_physics, physics};
+use crate::{all_physics, physics, run_on};
 use etalon_kernels_gen::{Component, components};
 use etalon_reference::domain::Domain;
 use etalon_reference::engine::{Engine, PlainEngine};
 use etalon_reference::particles::{Particle, ParticleSet};
 use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
-use etalon_reference::schemes::{Dissipation, GradH};
+use etalon_reference::schemes::{Dissipation, GradH, Viscosity};
 use etalon_reference::simulation::Simulation;
 
 /// Exponents of two for lengths, velocities and masses.
@@ -86,13 +86,15 @@ fn scaled<const D: usize>(set: &ParticleSet<D>, units: Units) -> ParticleSet<D> 
 /// ever meet numbers without a unit.
 fn all_fields_scale<E: Engine<D>, const D: usize>(make: impl Fn(&ParticleSet<D>) -> E, physics: Physics, units: Units) {
     let set = Recipe::unequal::<D>(31).particles::<D>(true);
-    let run = |set: &ParticleSet<D>| {
+    let run = |set: &ParticleSet<D>, physics: Physics| {
         let mut engine = make(set);
-        engine.find_neighbours(physics.kernel.support()).unwrap();
-        Pipeline::of_scene::<D>(&physics).run(&mut engine, physics).unwrap();
+        run_on(&mut engine, physics);
         engine
     };
-    let (mut before, mut after) = (run(&set), run(&scaled(&set, units)));
+    // The one number of a scheme that has a unit.
+    let mut in_units = physics;
+    in_units.viscosity.wave_period *= 2_f64.powi(units.of("T", D as i32));
+    let (mut before, mut after) = (run(&set, physics), run(&scaled(&set, units), in_units));
     let mut compared = 0;
     for component in components(&Pipeline::of_scene::<D>(&physics).fields::<D>(), D) {
         let (Ok(before), Ok(after)) = (before.read(component), after.read(component)) else { continue };
@@ -141,6 +143,12 @@ fn passes_scale_exactly() {
         all_fields_scale(PlainEngine::<f32, 2>::new, physics, Units { length, velocity: 0, mass: 2 * length });
         all_fields_scale(PlainEngine::<f32, 3>::new, physics, Units { length, velocity: 0, mass: 3 * length });
     }
+    let conducting = Viscosity { conduction: 0.1, ..Viscosity::of(Dissipation::AvSw) };
+    for units in ALL_UNITS {
+        let physics = Physics { viscosity: conducting, ..physics(Dissipation::AvSw, GradH::Corrected) };
+        all_fields_scale(PlainEngine::<f64, 2>::new, physics, units);
+        all_fields_scale(PlainEngine::<f32, 3>::new, physics, units);
+    }
     // As far as double precision goes in astronomers' units.
     let far = Units { length: 60, velocity: 20, mass: 110 };
     all_fields_scale(PlainEngine::<f64, 3>::new, physics(Dissipation::AvSlrB2, GradH::Corrected), far);
@@ -149,7 +157,12 @@ fn passes_scale_exactly() {
 /// Through time: steps, drift and the smoothing length's update scale as well.
 #[test]
 fn time_integration_scales_exactly() {
-    let physics = Physics { neighbours: 20.0, ..physics(Dissipation::AvSlrB2, GradH::Corrected) };
+    steps_scale(Dissipation::AvSlrB2);
+    steps_scale(Dissipation::AvSwSlr);
+}
+
+fn steps_scale(dissipation: Dissipation) {
+    let physics = Physics { neighbours: 20.0, ..physics(dissipation, GradH::Corrected) };
     let set = Recipe { h_spread: 1.0, neighbours: 20.0, jitter: 0.4, ..Recipe::unequal::<2>(37) }.particles::<2>(true);
     let units = ALL_UNITS[3];
     let run = |set: &ParticleSet<2>, until: f64| {

@@ -3,11 +3,11 @@
 use crate::all_physics;
 use crate::check::{UNIT, gamma};
 use crate::cloud::Recipe;
-use crate::pairs::{LastSweep, Pairs};
+use crate::pairs::{LastSweep, Pairs, with_last_sweep};
 use etalon_reference::engine::Engine;
 use etalon_reference::fields;
 use etalon_reference::particles::ParticleSet;
-use etalon_reference::passes::{Momentum, Physics, ReconstructedMomentum};
+use etalon_reference::passes::Physics;
 
 /// `sum m a` and `sum m (v . a + du/dt)` are zero to rounding.
 ///
@@ -58,15 +58,9 @@ fn totals_are_kept<P: LastSweep<D>, const D: usize>(physics: Physics, seed: u64)
 fn momentum_and_energy_are_kept() {
     for physics in all_physics() {
         for seed in [1, 2] {
-            if physics.viscosity.dissipation.reconstructs() {
-                totals_are_kept::<ReconstructedMomentum, 1>(physics, seed);
-                totals_are_kept::<ReconstructedMomentum, 2>(physics, seed);
-                totals_are_kept::<ReconstructedMomentum, 3>(physics, seed);
-            } else {
-                totals_are_kept::<Momentum, 1>(physics, seed);
-                totals_are_kept::<Momentum, 2>(physics, seed);
-                totals_are_kept::<Momentum, 3>(physics, seed);
-            }
+            with_last_sweep!(physics, totals_are_kept::<1>(physics, seed));
+            with_last_sweep!(physics, totals_are_kept::<2>(physics, seed));
+            with_last_sweep!(physics, totals_are_kept::<3>(physics, seed));
         }
     }
 }

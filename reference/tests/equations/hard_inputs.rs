@@ -3,18 +3,25 @@
 
 use crate::float::Float;
 use etalon_kernels_gen::Vector;
+use etalon_reference::diagnostics::entropy::entropy_change;
+use etalon_reference::equations::conduction::*;
 use etalon_reference::equations::dissipation::*;
 use etalon_reference::equations::equation_of_state::*;
 use etalon_reference::equations::grad_h::*;
 use etalon_reference::equations::hydrodynamics::*;
+use etalon_reference::equations::initial_state::gresho_chan::*;
+use etalon_reference::equations::initial_state::kelvin_helmholtz::*;
+use etalon_reference::equations::initial_state::rayleigh_taylor::*;
+use etalon_reference::equations::initial_state::wind_cloud::*;
 use etalon_reference::equations::initial_state::*;
 use etalon_reference::equations::polar::*;
 use etalon_reference::equations::reconstruction::*;
 use etalon_reference::equations::smoothing_length::*;
+use etalon_reference::equations::switch::*;
 use etalon_reference::equations::time_step::*;
 use etalon_reference::equations::turbulence::*;
 use etalon_reference::equations::volume_elements::*;
-use etalon_reference::schemes::{MachReading, Profile};
+use etalon_reference::schemes::{Dissipation, MachReading, Profile, Viscosity};
 
 /// What values an argument may have.
 #[derive(Clone, Copy)]
@@ -107,6 +114,8 @@ fn all_equations<T: Float>(extreme: f64) {
         smoothed_pressure(a, b, c, T::lit(0.45), T::lit(0.55))
     });
     driving_and_polar::<T>(extreme);
+    switches_and_conduction::<T>(extreme);
+    initial_states::<T>(extreme);
 }
 
 /// Those of turbulence and of round tests.
@@ -139,6 +148,59 @@ fn driving_and_polar<T: Float>(extreme: f64) {
     try_all("driving_term", [Any; 3], extreme, |[a, b, c]: [T; 3]| {
         driving_term(a, plane(b, c), plane(c, b), T::lit(0.6), T::lit(-0.8)).norm()
     });
+}
+
+fn switches_and_conduction<T: Float>(extreme: f64) {
+    let line = |x: T| Vector([x]);
+    let v = Viscosity::of(Dissipation::AvSwSlr);
+    try_all("regularised_approach", [Any, NotNegative, Positive], extreme, |[a, b, c]: [T; 3]| {
+        regularised_approach(a, b, c)
+    });
+    try_all("limited_viscosity", [NotNegative, NotNegative], extreme, |[a, b]: [T; 2]| limited_viscosity(a, b));
+    try_all("wave_aware_limiter", [Any, NotNegative, NotNegative, Positive, NotNegative], extreme, |v: [T; 5]| {
+        wave_aware_limiter(v[0], v[1], v[2], v[3], v[4])
+    });
+    try_all("sign_is_reversed", [Any, Any], extreme, |[a, b]: [T; 2]| sign_is_reversed(a, b));
+    try_all("convergence_indicator", [Any, Positive], extreme, |[a, b]: [T; 2]| convergence_indicator(line(a), b));
+    try_all("local_coefficient", [NotNegative, Any, NotNegative, Positive], extreme, |[a, b, c, d]: [T; 4]| {
+        local_coefficient(&v, a, b, c, d)
+    });
+    try_all("decay_rate", [NotNegative, Positive], extreme, |[a, b]: [T; 2]| decay_rate(a, b));
+    try_all("decayed_coefficient", [NotNegative; 4], extreme, |[a, b, c, d]: [T; 4]| {
+        decayed_coefficient(&v, a, b, c, d)
+    });
+    try_all("coefficient_rate", [NotNegative; 3], extreme, |[a, b, c]: [T; 3]| coefficient_rate(&v, a, b, c));
+    try_all("conduction_velocity", [NotNegative, NotNegative, Positive], extreme, |[a, b, c]: [T; 3]| {
+        conduction_velocity(a, b, c)
+    });
+    try_all("conduction_weight", [Any, Positive], extreme, |[a, b]: [T; 2]| conduction_weight(a, b));
+    try_all("conduction_rate", [Positive, NotNegative, Any, NotNegative, Any], extreme, |v: [T; 5]| {
+        conduction_rate(v[0], T::lit(0.1), v[1], v[2], line(v[3]), T::one(), line(v[4]))
+    });
+}
+
+fn initial_states<T: Float>(extreme: f64) {
+    try_all("vortex_velocity", [NotNegative, Any], extreme, |[a, b]: [T; 2]| vortex_velocity(a, b));
+    try_all("vortex_pressure", [NotNegative, Positive, Positive, Any], extreme, |[a, b, c, d]: [T; 4]| {
+        vortex_pressure(a, b, c, d)
+    });
+    try_all("layered_profile", [Any, Positive, Positive, Positive], extreme, |[a, b, c, d]: [T; 4]| {
+        layered_profile(a, b, c, d)
+    });
+    // Positions within a few box widths.
+    for x in [-7.5, -1.0, -1e-30, 0.0, 1e-30, 0.25, 0.5, 1.0, 8.0] {
+        try_all("shear_seed", [Any], extreme, |[a]: [T; 1]| shear_seed(T::lit(x), a, T::lit(0.5)));
+        try_all("plume_seed", [Any, Any, Positive], extreme, |[a, b, c]: [T; 3]| {
+            plume_seed(T::lit(x), a, b, T::one(), c)
+        });
+    }
+    try_all("layered_pressure", [Any, Positive, Positive, Any, NotNegative], extreme, |v: [T; 5]| {
+        layered_pressure(v[0], v[1], [v[2], v[2]], v[3], T::one(), v[4])
+    });
+    try_all("wind_speed", [NotNegative, NotNegative, Positive], extreme, |[a, b, c]: [T; 3]| {
+        wind_speed(a, T::lit(1.4), b, c)
+    });
+    try_all("entropy_change", [Positive; 4], extreme, |[a, b, c, d]: [T; 4]| entropy_change(a, b, c, d, T::lit(0.4)));
 }
 
 #[test]

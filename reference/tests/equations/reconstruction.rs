@@ -192,6 +192,11 @@ fn share_of_the_reconstruction_is_the_schemes() {
         (Dissipation::AvSlrB, [1.0, 0.75, 0.0]),
         (Dissipation::AvSlrB2, [1.0, 0.9375, 0.0]),
         (Dissipation::AvSlrB2F, [1.0, 0.9375, 0.0]),
+        (Dissipation::AvSw, [0.0, 0.0, 0.0]),
+        (Dissipation::AvSwSlr, [1.0, 1.0, 1.0]),
+        (Dissipation::AvB, [0.0, 0.0, 0.0]),
+        (Dissipation::AvSlrBStar2, [1.0, 0.9375, 0.0]),
+        (Dissipation::AvSlrBStar2F, [1.0, 0.9375, 0.0]),
     ] {
         assert_eq!([0.0, 0.25, 1.0].map(|balsara| share(dissipation, balsara)), due, "{dissipation}");
     }

@@ -3,7 +3,7 @@
 use crate::command::failure::Failure;
 use etalon_kernels_gen::trace::{Count, Double, Drawing, Single, TraceError};
 use etalon_kernels_gen::{Footprint, Pass, Update};
-use etalon_reference::passes::{Correct, KickDrift, Physics};
+use etalon_reference::passes::{Correct, Decay, KickDrift, Physics};
 use etalon_reference::pipeline::{PassVisitor, Pipeline};
 
 /// A pass or an update of a step.
@@ -20,6 +20,9 @@ pub struct Stage {
 pub fn stages<const D: usize>(pipeline: &Pipeline, physics: Physics) -> Result<Vec<Stage>, Failure> {
     let all = || -> Result<Vec<Stage>, TraceError> {
         let mut all = vec![update::<D, _>(&KickDrift(physics))?];
+        if pipeline.switches() {
+            all.push(update::<D, _>(&Decay(physics))?);
+        }
         for pass in pipeline.passes() {
             all.push(pass.visit::<D, _>(physics, &mut Draw)?);
         }

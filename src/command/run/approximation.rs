@@ -19,8 +19,12 @@ pub fn approximations(setup: &Setup, precisions: &[Precision]) -> Vec<KernelAppr
         if setup.sod.kernel == Kernel::MixedSinc {
             all.extend(sinc(setup.dimension, precision));
         }
-        if setup.sod.dissipation.reconstructs() {
-            all.push(cut_off(precision));
+        let dissipation = setup.sod.dissipation;
+        if dissipation.reconstructs() {
+            all.push(exponential("cut-off of the reconstruction exp(−y)", precision));
+        }
+        if dissipation.switches() {
+            all.push(exponential("decay of the viscosity coefficient exp(−y)", precision));
         }
     }
     all
@@ -65,14 +69,14 @@ fn sinc(dimension: usize, precision: Precision) -> [KernelApproximation; 2] {
     ]
 }
 
-/// exp(-y) of the reconstruction's cut-off at short range. A relative error of the polynomial becomes at most 0.38 of it in the result.
-fn cut_off(precision: Precision) -> KernelApproximation {
+/// exp(-y) of the reconstruction's cut-off at short range, or of a coefficient's decay. A relative error of the polynomial becomes at most 0.38 of it in the result.
+fn exponential(function: &str, precision: Precision) -> KernelApproximation {
     let error = match precision {
         Precision::Single => EXPM1_NEGATIVE.single_error,
         Precision::Double => EXPM1_NEGATIVE.double_error,
     };
     KernelApproximation {
-        function: "cut-off of the reconstruction exp(−y)".into(),
+        function: function.into(),
         approximation: format!(
             "polynomial of degree {} in y/32, squared five times",
             terms(&EXPM1_NEGATIVE, precision)

@@ -5,7 +5,7 @@ use etalon_kernels_gen::trace::Single;
 use etalon_kernels_gen::{Component, Footprint, Update, components};
 use etalon_reference::conformance::sets::Difficulty;
 use etalon_reference::engine::{Engine, PlainEngine};
-use etalon_reference::passes::{Correct, KickDrift};
+use etalon_reference::passes::{Correct, Decay, KickDrift};
 use etalon_reference::schemes::Dissipation;
 use etalon_reference::simulation::Simulation;
 
@@ -53,7 +53,7 @@ fn name<const D: usize>(component: Component, update: &str) -> String {
 
 fn check<const D: usize>() {
     let Some(device) = device() else { return };
-    let physics = physics::<D>(Dissipation::Av);
+    let physics = physics::<D>(Dissipation::AvSw);
     let set = set::<D>(Difficulty::None, &physics);
     // A step makes rates and predecessors that differ.
     let mut run = Simulation::new(PlainEngine::<f64, D>::new(&set), physics).unwrap();
@@ -62,6 +62,7 @@ fn check<const D: usize>() {
     let mut engine = engine(&set, &physics, device);
     judge(&KickDrift(physics), run.engine(), &mut bounded, &mut engine);
     judge(&Correct, run.engine(), &mut bounded, &mut engine);
+    judge(&Decay(physics), run.engine(), &mut bounded, &mut engine);
 }
 
 #[test]

@@ -1,0 +1,4 @@
+//! What is measured on a run beside its error: the entropy of its gas, and what its viscosity does.
+
+pub mod entropy;
+pub mod sign_reversal;
