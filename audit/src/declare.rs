@@ -1,4 +1,4 @@
-//! The macro that declares probes; `docs/how-to/add-an-equation.md` walks through one.
+//! The macro that declares probes; `docs/how-to/equation.md` walks through one.
 
 /// Declares the probes of one equation: a list with one [`Probe`](crate::Probe) for each dimension.
 ///

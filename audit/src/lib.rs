@@ -8,7 +8,7 @@
 //! | how far from the truth? | [`measure`] on a [`Target`] against the [`Quad`] oracle, in ulps; [`Budgets`] is the record |
 //! | how far can it be? | [`Gauge`]: the budget that follows from the operations |
 //! | do its units fit? | [`check_units`]: every node of the drawn graph |
-//! | what does the code compute? | [`Probe::draw`], printed by [`etalon_kernels_gen::emit`] |
+//! | what does the code compute? | [`formula`] in LaTeX; [`Probe::draw`], printed by [`etalon_kernels_gen::emit`] |
 //!
 //! ```
 //! use etalon_audit::{Budgets, Target, measure, probes};
@@ -21,12 +21,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! `docs/audit.md` explains the figures and their reasons; `docs/how-to/add-an-equation.md` says how to add a probe.
+//! `docs/audit.md` explains the figures and their reasons; `docs/how-to/equation.md` says how to add a probe.
 #![forbid(unsafe_code)]
 
 mod budgets;
 mod declare;
 mod domain;
+mod formula;
 pub mod gauge;
 mod interval;
 mod measure;
@@ -43,6 +44,7 @@ pub use budgets::{Budgets, FULL_SAMPLES, Record, Regression, UnreadableRecord, m
 pub use domain::{Domain, Spread, any, between, not_negative, positive};
 //E pub use enclosure::{Enclosure, enclose};
 //E pub use formula::formula;
+pub use formula::formula;
 pub use gauge::Gauge;
 pub use interval::{Decided, Interval};
 pub use measure::{Measurement, Violation, Worst, measure, measure_inputs, measure_targets};

@@ -59,10 +59,11 @@ impl Quantity {
     pub fn component_names(&self) -> impl Iterator<Item = String> {
         self.suffixes.iter().map(|suffix| format!("{}{suffix}", self.name))
     }
-    /// The components in LaTeX: `(v)_{x}`, or the quantity's own.
+    /// The components in LaTeX: `v_{x}`, `(v_a)_{x}`, or the quantity's own.
     pub fn component_symbols(&self) -> impl Iterator<Item = String> {
         self.suffixes.iter().map(|suffix| match suffix.strip_prefix('_') {
-            Some(axes) => format!("({})_{{{axes}}}", self.symbol.latex),
+            Some(axes) if self.symbol.latex.contains(['_', '^', ' ']) => format!("({})_{{{axes}}}", self.symbol.latex),
+            Some(axes) => format!("{}_{{{axes}}}", self.symbol.latex),
             None => self.symbol.latex.to_string(),
         })
     }

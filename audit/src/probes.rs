@@ -1,15 +1,22 @@
 //! The probes, a file per subject as in `reference/src/equations/`. Entering a file here is all there is to it.
 
 mod dissipation;
+mod double_hump;
+mod drag;
+mod dust_reconstruction;
 mod equation_of_state;
 mod grad_h;
 mod gradients;
 mod hydrodynamics;
 mod initial_state;
 mod kernels;
+mod limiters;
+mod polar;
 mod reconstruction;
 mod smoothing_length;
+mod stiff_drag;
 mod time_step;
+mod turbulence;
 mod volume_elements;
 
 use crate::probe::Probe;
@@ -19,15 +26,22 @@ use std::sync::LazyLock;
 static PROBES: LazyLock<Vec<Probe>> = LazyLock::new(|| {
     [
         dissipation::probes(),
+        double_hump::probes(),
+        drag::probes(),
+        dust_reconstruction::probes(),
         equation_of_state::probes(),
         grad_h::probes(),
         gradients::probes(),
         hydrodynamics::probes(),
         initial_state::probes(),
         kernels::probes(),
+        limiters::probes(),
+        polar::probes(),
         reconstruction::probes(),
         smoothing_length::probes(),
+        stiff_drag::probes(),
         time_step::probes(),
+        turbulence::probes(),
         volume_elements::probes(),
     ]
     .concat()

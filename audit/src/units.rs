@@ -1,12 +1,13 @@
 //! Whether an equation's units fit: every node of its drawn graph is given a unit, from the inputs on.
 //!
-//! Sums, comparisons, minima and selections need equal units; roots halve exponents; literals are pure numbers. Two things are
-//! *of any unit*: zero; and a literal that a selection picks instead of a value (`1` for a divisor that is not used, `1e30` for a
+//! Sums, comparisons, minima and selections need equal units; roots halve exponents; literals are pure numbers. Three things are
+//! *of any unit*: zero; the two bounds that stand for "no limit", 1e30 and its inverse, in a minimum or maximum; and a literal that a selection picks instead of a value (`1` for a divisor that is not used, `1e30` for a
 //! step without limit). Masks have no unit.
 
 use crate::number::Number;
 use crate::probe::Probe;
 use etalon_kernels_gen::trace::{Double, Drawing, Graph, Id, Op, Symbol, TraceError};
+use etalon_reference::equations::time_step::LONGEST_STEP;
 use etalon_spec::{Base, Unit};
 use std::fmt;
 
@@ -220,8 +221,8 @@ impl Walk<'_> {
                 let product = both(self.of(a), self.of(b), Powers::times);
                 self.equal(id, "a sum", product, self.of(c))
             }
-            Op::Min(a, b) => self.equal(id, "the smaller", self.of(a), self.of(b)),
-            Op::Max(a, b) => self.equal(id, "the larger", self.of(a), self.of(b)),
+            Op::Min(a, b) => self.equal(id, "the smaller", self.bound(a), self.bound(b)),
+            Op::Max(a, b) => self.equal(id, "the larger", self.bound(a), self.bound(b)),
             Op::Select(_, a, b) => self.picked(id, a, b),
             Op::Less(a, b) | Op::LessEqual(a, b) => {
                 self.equal(id, "a comparison", self.of(a), self.of(b));
@@ -256,6 +257,11 @@ impl Walk<'_> {
             (Known::Nothing, _) | (_, Known::Nothing) => Known::Nothing,
             (Known::Unit(unit), Known::Unit(_)) => Known::Unit(unit),
         }
+    }
+    /// An operand of a minimum or maximum: what stands for "no limit" has any unit.
+    fn bound(&self, id: Id) -> Known {
+        let no_limit = |literal: f64| literal == LONGEST_STEP || literal == 1.0 / LONGEST_STEP;
+        if self.graph().literal(id).is_some_and(no_limit) { Known::Any } else { self.of(id) }
     }
     /// A selection: a literal on one side stands in for a value of the other side's unit.
     fn picked(&mut self, id: Id, a: Id, b: Id) -> Known {

@@ -4,6 +4,8 @@
 mod budgets;
 #[path = "audit/declarations.rs"]
 mod declarations;
+#[path = "audit/formula.rs"]
+mod formula;
 #[path = "audit/oracle.rs"]
 mod oracle;
 #[path = "audit/units.rs"]

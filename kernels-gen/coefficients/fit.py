@@ -134,12 +134,12 @@ def normalisation_text():
             "[Constant; 3]",
             render.rust_array(values),
         )
-    values = [float(value) for value in kernels.inverse_second_moments()]
+    values = kernels.inverse_second_moments()
     return text + "\n" + render.rust_constant(
         "MIXED_SINC_DOUBLE_HUMP",
         "h^2 / int r^2 W dV in 1, 2 and 3 dimensions, for the mixed sinc kernel W = 0.9 S_4 + 0.1 S_9: times q^2 W\n"
         "it makes the double-humped kernel, whose integral is one.",
-        "[f64; 3]",
+        "[Constant; 3]",
         render.rust_array(values),
     )
 

@@ -2,6 +2,7 @@
 //!
 //! - [`wgsl`]: functions for the WGSL driver templates; `f32`.
 //! - [`c`]: the same graph as C99, `float` or `double`.
+//! - [`latex`]: the formula for readers.
 //!
 //! Text is printed from the [simplified](crate::trace::Drawing::simplified) drawing, one `let` after the other in the order in
 //! which the author's code ran. A value gets a line of its own if the author named it, if it is used more than once, if it
@@ -14,6 +15,7 @@ mod description;
 mod error;
 mod expression;
 mod header;
+pub mod latex;
 mod names;
 pub mod wgsl;
 

@@ -233,10 +233,10 @@ pub const SINC_9_NORMALISATION: [Constant; 3] = [
 
 /// h^2 / int r^2 W dV in 1, 2 and 3 dimensions, for the mixed sinc kernel W = 0.9 S_4 + 0.1 S_9: times q^2 W
 /// it makes the double-humped kernel, whose integral is one.
-pub const MIXED_SINC_DOUBLE_HUMP: [f64; 3] = [
-    4.04182550955939, // 0x1.02ad44e6ec8d2p+2
-    2.119384573758633, // 0x1.0f47fe63f8597p+1
-    1.4800853074378175, // 0x1.7ae6dee6bc4bdp+0
+pub const MIXED_SINC_DOUBLE_HUMP: [Constant; 3] = [
+    Constant::pair(4.04182550955939, 4.3655943175059756e-16),
+    Constant::pair(2.119384573758633, -5.84148634918241e-17),
+    Constant::pair(1.4800853074378175, 2.5418451315695363e-17),
 ];
 
 #[cfg(test)]

@@ -8,6 +8,24 @@ const F_BA: Name = own(r"\mathbf{f}_{ba}", "the field at the neighbour less that
 const VECTOR: Name =
     own(r"\boldsymbol{\mathcal{A}}_{ab}", "integral-approach vector that replaces the kernel gradient");
 
+/// Makes the components of a symmetric matrix, upper triangle row by row and between -1 and 1, into those of `L L^T`.
+///
+/// `L` is triangular with the same components, its diagonal raised by one. At -1 the matrix is singular.
+pub(super) fn positive_definite(x: &mut [f64], dimension: usize) {
+    let position = |i: usize, j: usize| i * dimension - i * (i + 1) / 2 + j;
+    let mut triangular = [[0.0; 3]; 3];
+    for i in 0..dimension {
+        for j in i..dimension {
+            triangular[i][j] = x[position(i, j)] + if i == j { 1.0 } else { 0.0 };
+        }
+    }
+    for i in 0..dimension {
+        for j in i..dimension {
+            x[position(i, j)] = (0..dimension).map(|k| triangular[k][i] * triangular[k][j]).sum();
+        }
+    }
+}
+
 pub(super) fn probes() -> Vec<Probe> {
     let mut list = probe! {
         in 1, 2, 3;
@@ -32,20 +50,7 @@ pub(super) fn probes() -> Vec<Probe> {
         tau: Symmetric<R, D> = r"\tau", "L^2", between(-1.0, 1.0).with(&[0.0]);
         => c: Symmetric<R, D> = own("c", "inverse second-moment matrix"), "L^-2";
         @arrange "tau = L L^T for a triangular L with a diagonal between 0 and 2, flat neighbourhoods included" |x| {
-            // The upper triangle row by row: the row of a diagonal entry is its number among them.
-            let dimension = [0, 1, 0, 2, 0, 0, 3][x.len()];
-            let position = |i: usize, j: usize| i * dimension - i * (i + 1) / 2 + j;
-            let mut triangular = [[0.0; 3]; 3];
-            for i in 0..dimension {
-                for j in i..dimension {
-                    triangular[i][j] = if i == j { 1.0 + x[position(i, i)] } else { x[position(i, j)] };
-                }
-            }
-            for i in 0..dimension {
-                for j in i..dimension {
-                    x[position(i, j)] = (0..dimension).map(|k| triangular[k][i] * triangular[k][j]).sum();
-                }
-            }
+            positive_definite(x, D);
         };
     });
     list.extend(probe! {

@@ -10,7 +10,7 @@ const VALUE: Name = own("w", "kernel, in units of an inverse volume of the smoot
 const SLOPE: Name = own(r"\frac{w'}{q}", "slope of the kernel over the distance");
 
 /// From the centre to beyond the support; knots, the edge, and their neighbours in `f32`.
-fn distances(support: f64) -> Domain {
+pub(super) fn distances(support: f64) -> Domain {
     let edge = support * support;
     let beside = |value: f64| [f64::from((value as f32).next_down()), f64::from((value as f32).next_up())];
     let near: Vec<f64> = [1.0, 4.0, edge].into_iter().flat_map(beside).collect();

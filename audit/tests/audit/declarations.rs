@@ -6,20 +6,21 @@ use etalon_spec::{Entry, Ledger, Unit};
 use std::collections::HashSet;
 
 /// Equations that a probe cannot call, each with its reason.
-const WITHOUT_PROBE: [(&str, &str); 0] = [];
+const WITHOUT_PROBE: [(&str, &str); 1] =
+    [("l1_error", "a norm over lists of particles; its tests are in reference/src/norms.rs")];
 
 #[test]
 fn every_equation_has_a_probe_and_every_probe_an_equation() {
     // Linked in, so that the registry knows them.
-    let of_reference = |path: &str| path.starts_with("etalon_reference::equations::");
+    let of_reference = |path: &str| path.starts_with("etalon_reference::");
     let equations: Vec<_> = registered().into_iter().filter(|entry| of_reference(entry.module_path)).collect();
-    assert!(equations.len() >= 51, "only {} equations are registered", equations.len());
+    assert!(equations.len() >= 85, "only {} equations are registered", equations.len());
     for entry in equations {
         let excused = WITHOUT_PROBE.iter().any(|(name, _)| *name == entry.name);
         assert_ne!(
             of_equation(entry).next().is_some(),
             excused,
-            "{} in {}: add a probe to audit/src/probes, as docs/how-to/add-an-equation.md shows",
+            "{} in {}: add a probe to audit/src/probes, as docs/how-to/equation.md shows",
             entry.name,
             entry.file
         );

@@ -93,7 +93,7 @@ fn a_wrong_declaration_is_found() {
     let mut wrong = balsara.clone();
     wrong.arguments[3].quantity.unit_text = "L"; // h instead of 1/h
     let faults = check_units(&wrong).unwrap_err();
-    assert!(faults[0].to_string().contains("gs25:8 balsara_limiter: a sum of T^-1 and L^2 T^-1"), "{}", faults[0]);
+    assert!(faults[0].to_string().contains("balsara_limiter: a sum of T^-1 and L^2 T^-1"), "{}", faults[0]);
     wrong.arguments[3].quantity.unit_text = "X";
     assert!(check_units(&wrong).unwrap_err()[0].to_string().contains("does not start with M"));
 }

@@ -2,10 +2,12 @@
 
 use etalon_kernels_gen::functions::exp_negative;
 use etalon_kernels_gen::polynomials::ARTANH;
-use etalon_kernels_gen::{Real, Vector, equation, functions};
+use etalon_kernels_gen::{Constant, Real, Vector, equation, functions};
 
 /// Where the ramp between the two forms of the pressure force begins and ends, in Atwood number (C25 section 2; SPH-EXA).
 pub const ATWOOD_RAMP: (f64, f64) = (0.1, 0.2);
+
+const THIRD: Constant = Constant::ratio(1.0, 3.0);
 
 /// What a particle brings to the pressure force, `Y_a = P_a / (Omega_a k_a (rho^0_a)^2)`.
 ///
@@ -37,7 +39,7 @@ pub fn crossed_weight<R: Real>(density_a: R, density_b: R, standard_a: R, standa
         let logarithm = 2.0 * z * functions::horner(&ARTANH, 4.0 * z * z);
         let decay = exp_negative(sigma * logarithm.abs());
         let contrast = standard_a.max(standard_b) / standard_a.min(standard_b);
-        let excess = (contrast * R::lit(1.0 / 3.0)).max(1.0);
+        let excess = (contrast * R::constant(THIRD)).max(1.0);
         let beyond = 1.0 + sigma * (excess - 1.0);
         let ramp = if z < 0.0 { decay / beyond } else { beyond / decay };
         if sigma < 1.0 { ramp } else { standard_a / standard_b }
