@@ -266,6 +266,49 @@ fn a_benchmark_reports_every_figure() {
     }
 }
 
+#[test]
+fn kernels_are_printed_and_written_and_nothing_is_replaced_unasked() {
+    let place = Place::new("emit");
+    let c = place.etalon(&["emit", "sod", "--dim", "1", "--target", "c", "--precision", "f64", "--pass", "density"]);
+    assert_eq!(code(&c), Some(0), "{}", stderr(&c));
+    assert!(stdout(&c).contains("void density_pair(") && stdout(&c).contains("double"), "{}", stdout(&c));
+    assert!(!stdout(&c).contains("momentum_pair"), "another pass than was asked for");
+
+    let to_folder = ["emit", "sod", "--dim", "1", "--out", "kernels"];
+    let written = place.etalon(&to_folder);
+    assert_eq!(code(&written), Some(0), "{}", stderr(&written));
+    let text = fs::read_to_string(place.path("kernels/reconstructed_momentum.wgsl")).unwrap();
+    assert!(text.contains("@compute"), "{text}");
+    // The command in the header prints the same text again.
+    let command = text.lines().find_map(|line| line.split('`').nth(1)).unwrap();
+    let again: Vec<&str> = command.split(' ').skip(1).chain(["--pass", "reconstructed_momentum"]).collect();
+    assert_eq!(stdout(&place.etalon(&again)), text, "{command}");
+
+    let twice = place.etalon(&to_folder);
+    assert_eq!(code(&twice), Some(2));
+    assert!(stderr(&twice).contains("--replace"), "{}", stderr(&twice));
+    refused("emit64", &["emit", "sod", "--precision", "f64"], &["--precision f64", "--target c"]);
+    refused("emitpass", &["emit", "sod", "--pass", "nosuch"], &["--pass nosuch", "density"]);
+}
+
+/// Where a device must be there, the command must use it and judge it.
+#[test]
+fn a_graphics_adapter_is_used_where_there_is_one() {
+    if std::env::var_os("ETALON_REQUIRE_ADAPTER").is_none() {
+        println!("SKIPPED: only where ETALON_REQUIRE_ADAPTER says that there is an adapter");
+        return;
+    }
+    let place = Place::new("adapter");
+    let arguments = ["run", "sod", "--dim", "1", "--n", "60", "--end-time", "0.02", "--backend", "wgpu", "--json"];
+    let output = Command::new(env!("CARGO_BIN_EXE_etalon")).args(arguments).current_dir(&place.0).output().unwrap();
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    let report = json(stdout(&output));
+    let runs = report["runs"].as_array().unwrap();
+    let run = runs.iter().find(|run| run["backend"] == "wgpu").unwrap_or_else(|| panic!("no such run in {report}"));
+    let text = run.to_string();
+    assert!(text.contains("arithmetic_difference") && !text.contains("\"pass\":false"), "{text}");
+}
+
 /// Bad input: exit code 2, these words in one line on stderr, nothing on stdout, nothing written.
 fn refused(test: &str, arguments: &[&str], words: &[&str]) {
     let place = Place::new(test);
@@ -303,10 +346,11 @@ fn numbers_that_make_no_sense_are_refused() {
     refused("n0", &run(&["--n", "0"]), &["--n 0", "at least 1"]);
     refused("nmany", &run(&["--n", "many"]), &["--n many", "whole number"]);
     refused("n-5", &run(&["--n", "-5"]), &["--n -5", "at least 1"]);
-    refused("n5", &run(&["--dim", "1", "--n", "5"]), &["--n 5", "at least 40"]);
+    refused("n5", &run(&["--dim", "1", "--n", "5"]), &["--n 5", "--n 40 is enough"]);
     refused("n1e15", &run(&["--n", "1e15"]), &["--n 1000000000000000", "give at most"]);
     refused("n1e99", &run(&["--n", "1e99"]), &["--n 1e99", "smaller"]);
-    refused("narrow", &run(&["--n", "2000"]), &["--n 2000", "at least"]);
+    refused("narrow", &run(&["--n", "2000"]), &["--n 2000", "is enough"]);
+    refused("proc", &run(&["--dim", "1", "--out", "/proc/nowhere"]), &["/proc/nowhere"]);
     refused("t-1", &run(&["--end-time", "-1"]), &["--end-time -1", "above 0"]);
     refused("t0", &run(&["--end-time", "0"]), &["--end-time 0", "above 0"]);
     refused("tnan", &run(&["--end-time", "NaN"]), &["--end-time NaN", "finite"]);
