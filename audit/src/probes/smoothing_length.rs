@@ -1,6 +1,6 @@
 //! How the smoothing length follows the density.
 
-use crate::{Probe, between, own, positive, probe};
+use crate::{Probe, any, between, own, positive, probe};
 use etalon_reference::equations::smoothing_length;
 
 pub(super) fn probes() -> Vec<Probe> {
@@ -14,10 +14,11 @@ pub(super) fn probes() -> Vec<Probe> {
     };
     list.extend(probe! {
         in 1, 2, 3;
-        smoothing_length::settled_smoothing_length::<R, D>(h, neighbours, wanted);
+        smoothing_length::settled_smoothing_length::<R, D>(h, neighbours, wanted, grad_h);
         h: R = own("h_a", "smoothing length"), "L", positive(1e-3, 1e3);
         neighbours: R = own("n_{b,a}", "neighbour number"), "1", positive(1.0, 1e3);
         wanted: R = own("n_0", "wanted neighbour number"), "1", positive(1.0, 1e3);
+        grad_h: R = own(r"\Omega_a", "grad-h factor"), "1", any(1e-2, 1e1);
         => settled: R = own("h_*", "smoothing length at which the support would hold the wanted number"), "L";
     });
     list.extend(probe! {

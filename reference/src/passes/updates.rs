@@ -24,6 +24,7 @@ record! {
         settled: Scalar = SETTLED_SMOOTHING_LENGTH,
         inverse_h: Scalar = INVERSE_SMOOTHING_LENGTH,
         volume: Scalar = VOLUME,
+        grad_h: Scalar = GRAD_H,
         mobility: Scalar = MOBILITY,
         velocity: Vector = VELOCITY,
         internal_energy: Scalar = INTERNAL_ENERGY,
@@ -74,7 +75,7 @@ impl<const D: usize> Update<D> for KickDrift {
         let middle = own.velocity + half_kick;
         let ball = R::lit(support_volume(D, self.0.kernel.support()));
         let neighbours = effective_neighbours::<R, D>(own.inverse_h, own.volume, ball);
-        let settled = settled_smoothing_length::<R, D>(own.h, neighbours, R::lit(self.0.neighbours));
+        let settled = settled_smoothing_length::<R, D>(own.h, neighbours, R::lit(self.0.neighbours), own.grad_h);
         // A wall does not change, and at its outer edge neighbours are missing that were never there: it keeps its smoothing length.
         let moves = own.mobility.gt(R::zero());
         KickDriftOut {

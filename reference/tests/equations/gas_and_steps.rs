@@ -71,11 +71,15 @@ fn effective_neighbours_is_support_over_volume() {
 #[test]
 fn smoothing_length_settles_and_carries_on() {
     // Where the right one is h/4 (1-D) or h/2. The roots of powers of two are exact but for the last.
-    assert_eq!(settled_smoothing_length::<f64, 1>(2.0, 40.0, 10.0), 0.5);
-    assert_eq!(settled_smoothing_length::<f64, 2>(2.0, 40.0, 10.0), 1.0);
-    assert_close("3-D", settled_smoothing_length::<f64, 3>(2.0, 80.0, 10.0), 1.0, 8.0 * UNIT);
+    assert_eq!(settled_smoothing_length::<f64, 1>(2.0, 40.0, 10.0, 1.0), 0.5);
+    assert_eq!(settled_smoothing_length::<f64, 2>(2.0, 40.0, 10.0, 1.0), 1.0);
+    assert_close("3-D", settled_smoothing_length::<f64, 3>(2.0, 80.0, 10.0, 1.0), 1.0, 8.0 * UNIT);
     // And upwards.
-    assert_eq!(settled_smoothing_length::<f64, 1>(2.0, 10.0, 40.0), 8.0);
+    assert_eq!(settled_smoothing_length::<f64, 1>(2.0, 10.0, 40.0, 1.0), 8.0);
+    // Half of the way where Omega is two; never more than the whole.
+    assert_eq!(settled_smoothing_length::<f64, 1>(2.0, 40.0, 10.0, 2.0), 1.25);
+    assert_eq!(settled_smoothing_length::<f64, 1>(2.0, 40.0, 10.0, 0.5), 0.5);
+    assert_eq!(settled_smoothing_length::<f64, 1>(2.0, 40.0, 10.0, -3.0), 0.5);
     // What grew by an eighth grows by an eighth again; no more than by a quarter, no less than to four fifths.
     assert_eq!(next_smoothing_length(1.125, 1.0), 1.125 * 1.125);
     assert_eq!(next_smoothing_length(2.0, 1.0), 2.5);
@@ -85,15 +89,16 @@ fn smoothing_length_settles_and_carries_on() {
 fn fixed_point<const D: usize>() {
     for k in 1..200 {
         let (h, neighbours) = (0.01 * f64::from(k), 3.0 + 1.7 * f64::from(k));
-        let settled = settled_smoothing_length::<f64, D>(h, neighbours, neighbours);
+        let settled = settled_smoothing_length::<f64, D>(h, neighbours, neighbours, 1.3);
         assert_eq!((settled, next_smoothing_length(settled, h)), (h, h), "{D}-D");
-        assert_eq!(settled_smoothing_length::<f32, D>(h as f32, 64.1, 64.1), h as f32, "{D}-D");
+        assert_eq!(settled_smoothing_length::<f32, D>(h as f32, 64.1, 64.1, 1.3), h as f32, "{D}-D");
     }
     // At constant volume the settled one is the goal at once.
     let (ball, volume, wanted): (f64, f64, f64) = (4.0, 0.01, 50.0);
     let goal = (wanted * volume / ball).powf(1.0 / D as f64);
     let h = 3.0 * goal;
-    let settled = settled_smoothing_length::<f64, D>(h, effective_neighbours::<f64, D>(1.0 / h, volume, ball), wanted);
+    let neighbours = effective_neighbours::<f64, D>(1.0 / h, volume, ball);
+    let settled = settled_smoothing_length::<f64, D>(h, neighbours, wanted, 1.0);
     // Some 20 roundings of h.
     assert_close("settled", settled, goal, 20.0 * UNIT * h);
 }
@@ -103,6 +108,53 @@ fn smoothing_length_has_its_fixed_point() {
     fixed_point::<1>();
     fixed_point::<2>();
     fixed_point::<3>();
+}
+
+/// How far the smoothing length is from the right one after a hundred steps, in units of how far it was. The number of neighbours grows
+/// as `h^(nu omega)`; the update is told that `omega` is `told`.
+fn left_after_a_hundred_steps<const D: usize>(omega: f64, told: f64) -> f64 {
+    let (start, wanted) = (1.01_f64, 50.0);
+    let (mut h, mut before) = (start, start);
+    for _ in 0..100 {
+        let neighbours = wanted * h.powf(D as f64 * omega);
+        let settled = settled_smoothing_length::<f64, D>(h, neighbours, wanted, told);
+        (h, before) = (next_smoothing_length(settled, before), settled);
+    }
+    (h - 1.0).abs() / (start - 1.0)
+}
+
+/// With `s = 1 - omega / max(1, told)` the relative error obeys `e'' = 2 s e' - s e`: its roots are within the unit circle for
+/// `-1/3 < s < 1`.
+#[test]
+fn smoothing_length_settles_next_to_a_denser_gas() {
+    for omega in [0.5, 0.8, 1.0, 1.3, 1.6, 2.5, 10.0] {
+        // The slowest: 0.707^100 = 1e-15 at Omega = 1/2. The root of n / n_0 is good to a few units of 1e-16, in units of 0.01.
+        for left in [
+            left_after_a_hundred_steps::<1>(omega, omega),
+            left_after_a_hundred_steps::<2>(omega, omega),
+            left_after_a_hundred_steps::<3>(omega, omega),
+        ] {
+            assert!(left < 1e-12, "Omega {omega}: {left:e} of the error is left");
+        }
+    }
+    // The documented limits are limits: a third more than was told.
+    assert!(left_after_a_hundred_steps::<1>(1.3, 1.0) < 1e-2 && left_after_a_hundred_steps::<1>(1.36, 1.0) > 1.0);
+    assert!(left_after_a_hundred_steps::<1>(2.6, 2.0) < 1e-2 && left_after_a_hundred_steps::<1>(2.72, 2.0) > 1.0);
+}
+
+/// Where the right length grows by a hundredth each step it is met, not followed.
+#[test]
+fn smoothing_length_does_not_lag() {
+    for grad_h in [1.0, 1.5] {
+        let (mut h, mut before) = (1.0, 1.0);
+        for step in 1..=100 {
+            let neighbours = effective_neighbours::<f64, 1>(1.0 / h, 1.01_f64.powi(step), 4.0);
+            let settled = settled_smoothing_length::<f64, 1>(h, neighbours, 4.0, grad_h);
+            (h, before) = (next_smoothing_length(settled, before), settled);
+        }
+        // h is now that of step 101. A start that is off by a hundredth is forgotten: with s = 1/3, 0.577^100 = 1e-24.
+        assert_close(&format!("h for Omega {grad_h}"), h, 1.01_f64.powi(101), 1e-13);
+    }
 }
 
 #[test]

@@ -104,8 +104,8 @@ fn all_equations<T: Float>(extreme: f64) {
         |v: [T; 6]| reconstructed_approach_velocity(v[0], v[1], v[2], v[3], v[4], v[5]),
     );
     try_all("effective_neighbours", [Positive; 3], extreme, |[a, b, c]: [T; 3]| effective_neighbours::<T, 3>(a, b, c));
-    try_all("settled_smoothing_length", [Positive; 3], extreme, |[a, b, c]: [T; 3]| {
-        settled_smoothing_length::<T, 3>(a, b, c)
+    try_all("settled_smoothing_length", [Positive, Positive, Positive, Any], extreme, |[a, b, c, d]: [T; 4]| {
+        settled_smoothing_length::<T, 3>(a, b, c, d)
     });
     try_all("courant_step", [Positive, NotNegative], extreme, |[a, b]: [T; 2]| courant_step(a, b));
     try_all("acceleration_step", [Positive, NotNegative], extreme, |[a, b]: [T; 2]| acceleration_step(a, b));

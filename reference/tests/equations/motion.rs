@@ -288,15 +288,15 @@ fn time_step_is_the_shortest_of_three() {
 /// `v_half = v + a dt/2`, `dx = v_half dt`, `v = v_half + a dt/2`; and back to the mean of the old and new rates.
 #[test]
 fn kick_drift_kick_of_whole_numbers() {
-    // h, settled h, 1/h, V, mobility, v, u, a, du/dt; M4 in 1-D holds 4 h / V = 8 neighbours where 4 are wanted: h = 1 would
-    // be right, a quarter of what was right before, and four fifths of it is as far as the change is carried on.
+    // h, settled h, 1/h, V, Omega, mobility, v, u, a, du/dt; M4 in 1-D holds 4 h / V = 8 neighbours where 4 are wanted: h = 1
+    // would be right, with Omega = 2 that is 1.5, half as much again as before, and a quarter is as far as the change is carried on.
     let four = Physics { neighbours: 4.0, ..physics(Dissipation::Av, GradH::Corrected) };
     let kick = |mobility: f64| {
-        let own = record(&[2.0, 4.0, 0.5, 1.0, mobility, 10.0, 100.0, 4.0, 8.0]);
+        let own = record(&[2.0, 1.0, 0.5, 1.0, 2.0, mobility, 10.0, 100.0, 4.0, 8.0]);
         numbers(<KickDrift as Update<1>>::apply(&KickDrift(four), &own, 0.5))
     };
     // h, settled h, v, u, old a, old du/dt, dx
-    assert_eq!(kick(1.0), [0.8, 1.0, 12.0, 104.0, 4.0, 8.0, 5.5]);
+    assert_eq!(kick(1.0), [1.875, 1.5, 12.0, 104.0, 4.0, 8.0, 5.5]);
     assert_eq!(kick(0.0)[6], 0.0, "a wall stays where it is");
     assert_eq!(kick(0.0)[0], 2.0, "a wall keeps its smoothing length");
     // v, u, a, du/dt, old a, old du/dt

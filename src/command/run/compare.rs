@@ -112,7 +112,7 @@ pub fn conservation(run: &Finished, dimension: usize) -> Vec<Conserved> {
         scaled_drift: (end.energy - start.energy) / start.energy,
         tolerance: Some(Tolerance::new(
             ENERGY,
-            "four times what 100 particles in 1-D show; it falls with the step, so with more particles",
+            "eight times what 100 particles in 1-D show; it falls with the step, so with more particles",
         )),
         note: Some(
             "the equations conserve it at every instant; the integrator is of second order in the step, and the fixed layers \

@@ -1,0 +1,4 @@
+//! What only a run through time shows: the integrator's order, and that scenes converge to their exact solutions.
+
+mod order;
+mod sod;
