@@ -287,7 +287,7 @@ fn an_audit_measures_and_its_json_is_documented() {
 fn an_equation_is_shown_and_its_json_is_documented() {
     let place = Place::new("show");
     let mut page = Page::read("show-schema.md");
-    for name in ["gs25:13", "gs25:5", "gs25:6", "gs25:20", "c25:25", "courant_step", "kernels::mixed_sinc"] {
+    for name in ["gs25:13", "gs25:5", "gs25:6", "gs25:20", "c25:1", "c25:25", "courant_step", "kernels::mixed_sinc"] {
         let output = place.etalon(&["show", name, "--json"]);
         assert!(output.status.success(), "{name}: {output:?}");
         page.check(&json(&String::from_utf8(output.stdout).unwrap()));

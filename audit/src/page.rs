@@ -129,6 +129,9 @@ pub struct Call {
     /// What goes in.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub arguments: Vec<CallQuantity>,
+    /// How the arguments depend on one another, if they do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub arranged: Option<String>,
     /// What comes out.
     pub results: Vec<CallQuantity>,
     /// Operations in `f32` and `f64`.
@@ -307,16 +310,18 @@ impl Call {
             symbols.find(|symbol| symbol.latex == latex).map(|symbol| symbol.name.clone())
         };
         let of_probe = |record: &&Record| record.probe == probe.key();
+        let printed = is_shown.then(|| formula(probe)).transpose().map_err(not_drawn)?;
         Ok(Call {
             probe: probe.key(),
-            arguments: probe.arguments.iter().map(|argument| CallQuantity::argument(argument, &meaning)).collect(),
-            results: probe.results.iter().map(|quantity| CallQuantity::result(quantity, &meaning)).collect(),
+            arguments: probe.arguments.iter().map(|argument| CallQuantity::argument(argument, meaning)).collect(),
+            arranged: probe.arranged.map(ToString::to_string),
+            results: probe.results.iter().map(|quantity| CallQuantity::result(quantity, meaning)).collect(),
             operations: Operations {
                 f32: count(&single).flops(),
                 f64: count(&double).flops(),
                 words: count(&single).to_string(),
             },
-            formula: is_shown.then(|| formula(probe)).transpose().map_err(not_drawn)?,
+            formula: printed.map(|formula| formula.trim_end().to_string()),
             wgsl: wgsl.map_err(|source| PageError::NotPrinted { probe: probe.key(), source })?,
             figures: catalogue.budgets.records.iter().filter(of_probe).cloned().collect(),
         })

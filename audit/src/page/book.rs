@@ -177,7 +177,7 @@ impl Book {
         let path = docs.join(SUMMARY);
         match fs::read_to_string(&path) {
             Ok(text) => {
-                let summary = with_part(&text, &self.contents).ok_or_else(|| BookError::NoPart { path })?;
+                let summary = with_part(&text, &self.contents).ok_or(BookError::NoPart { path })?;
                 all.push((PathBuf::from(SUMMARY), summary));
             }
             Err(error) if error.kind() == io::ErrorKind::NotFound => {}

@@ -102,6 +102,9 @@ fn drawn(call: &Call) -> Result<Vec<String>, NoFormula> {
         format!("### Called as `{}`", call.probe),
         table(&["name", "symbol", "unit", "domain", "what it is"], &rows),
     ];
+    if let Some(arranged) = &call.arranged {
+        out.push(format!("The arguments belong together: {}.", prose(arranged)?));
+    }
     if let Some(formula) = &call.formula {
         out.extend([
             "The formula as it is computed, printed from the drawing:".to_string(),
@@ -129,8 +132,8 @@ fn tests(function: &Function) -> Result<Vec<String>, NoFormula> {
         return Ok(out);
     };
     let noticed: Vec<String> = mutants.noticed_by.iter().map(|of| format!("{} by `{}`", of.mutants, of.test)).collect();
-    let by = if noticed.is_empty() { String::new() } else { format!(": {}", noticed.join(", ")) };
-    out.push(format!("Of its mutants {} are caught{by}.", mutants.caught));
+    let by = if noticed.is_empty() { String::new() } else { format!(" ({})", noticed.join(", ")) };
+    out.push(format!("Mutants caught: {}{by}.", mutants.caught));
     if !mutants.equivalent.is_empty() {
         let row = |of: &crate::reach::Equivalent| {
             let changes: Vec<String> =
@@ -190,7 +193,10 @@ mod tests {
     #[test]
     fn prose_has_formulas_and_code() {
         let text = prose("where $a_b$ < `c_d` * e").unwrap();
-        assert!(text.starts_with("where <math display=\"inline\">") && text.ends_with("</math> &lt; `c_d` \\* e"), "{text}");
+        assert!(
+            text.starts_with("where <math display=\"inline\">") && text.ends_with("</math> &lt; `c_d` \\* e"),
+            "{text}"
+        );
         assert_eq!(prose("plain").unwrap(), "plain");
     }
 }

@@ -83,6 +83,9 @@ fn drawn(f: &mut fmt::Formatter<'_>, call: &Call) -> fmt::Result {
     }
     writeln!(f, "\n{}: arguments, units, domains", call.probe)?;
     write!(f, "{}", table(&own))?;
+    if let Some(arranged) = &call.arranged {
+        writeln!(f, "{}", wrapped(&format!("The arguments belong together: {arranged}.")))?;
+    }
     if let Some(formula) = &call.formula {
         writeln!(f, "\n{}: the formula as it is computed\n{}", call.probe, indented(formula))?;
     }

@@ -56,6 +56,7 @@ fn cells(row: &Row) -> Vec<String> {
     let remarks: Vec<&str> = [
         (row.regressed, "WORSE"),
         (row.encoded && row.tests == 0, "untested"),
+        (!row.functions.is_empty() && row.errors.is_empty(), "not measured"),
         (row.deviation, "deviation"),
         (row.open_question, "open question"),
     ]
