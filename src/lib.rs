@@ -6,11 +6,12 @@
 //! - [`reference`]: equations, passes, scenes, exact solutions, norms, and the plain engine;
 //! - [`kernels`]: the number that equations are generic over, its vector lanes, its drawings and their printers;
 //! - [`simd`]: the engine on vector lanes; `wgpu`: the engine on a graphics adapter (feature `wgpu`);
-//! - [`spec`]: the ledger of the papers' equations;
+//! - [`spec`]: the ledger of the papers' equations; [`audit`]: how far each of them is from the truth, and its page;
 //! - [`report`]: what a run leaves behind;
 //! - [`command`]: the program `etalon`; [`fma_peak`]: what speeds are measured against.
 #![forbid(unsafe_code)]
 
+pub use etalon_audit as audit;
 pub use etalon_kernels_gen as kernels;
 pub use etalon_reference as reference;
 pub use etalon_simd as simd;

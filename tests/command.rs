@@ -309,6 +309,61 @@ fn a_graphics_adapter_is_used_where_there_is_one() {
     assert!(text.contains("arithmetic_difference") && !text.contains("\"pass\":false"), "{text}");
 }
 
+#[test]
+fn an_audit_measures_and_its_json_is_documented() {
+    let place = Place::new("audit");
+    let mut page = Page::read("audit-schema.md");
+    // A limiter; a definition without a number; a law that no function encodes.
+    for name in ["gs25:13", "courant_step", "c25:25"] {
+        let output = place.etalon(&["audit", "--only", name, "--samples", "1", "--json"]);
+        assert!(output.status.success(), "{name}: {output:?}");
+        page.check(&json(&String::from_utf8(output.stdout).unwrap()));
+    }
+    page.all_seen();
+    let output = place.etalon(&["audit", "--only", "gs25:13", "--samples", "1"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("reconstruction::slope_limiter") && text.contains("Nothing became worse."), "{text}");
+    assert!(place.listing().is_empty());
+}
+
+#[test]
+fn an_equation_is_shown_and_its_json_is_documented() {
+    let place = Place::new("show");
+    let mut page = Page::read("show-schema.md");
+    for name in ["gs25:13", "gs25:5", "gs25:6", "gs25:20", "c25:1", "c25:25", "courant_step", "kernels::mixed_sinc"] {
+        let output = place.etalon(&["show", name, "--json"]);
+        assert!(output.status.success(), "{name}: {output:?}");
+        page.check(&json(&String::from_utf8(output.stdout).unwrap()));
+    }
+    page.all_seen();
+    let text = String::from_utf8(place.etalon(&["show", "gs25:13"]).stdout).unwrap();
+    for part in ["\\phi_{ab} =", "pub fn slope_limiter", "fn slope_limiter(slope_a: f32, slope_b: f32)", "caught"] {
+        assert!(text.contains(part), "no {part} in {text}");
+    }
+}
+
+#[test]
+fn pages_are_written_and_stale_ones_fail_the_check() {
+    let place = Place::new("pages");
+    assert!(place.etalon(&["pages", "--out", "."]).status.success());
+    assert!(place.etalon(&["pages", "--out", ".", "--check"]).status.success());
+    let page = place.path("equations/gs25/13.md");
+    fs::write(&page, fs::read_to_string(&page).unwrap() + "more\n").unwrap();
+    let output = place.etalon(&["pages", "--out", ".", "--check"]);
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    assert!(String::from_utf8(output.stdout).unwrap().contains("13.md is stale"));
+}
+
+#[test]
+fn unknown_equations_and_misplaced_records_are_refused() {
+    refused("show-number", &["show", "gs25:31"], &["its equations are 1 to 30", "near it are gs25:"]);
+    refused("show-name", &["show", "mixd_sinc"], &["neither an equation", "mixed_sinc"]);
+    refused("audit-only", &["audit", "--only", "gs25"], &["--only", "near it are"]);
+    refused("audit-record", &["audit", "--record"], &["audit/budgets.toml", "root"]);
+    refused("audit-both", &["audit", "--record", "--only", "gs25:13"], &["--only"]);
+    refused("pages-out", &["pages", "--out", "nowhere"], &["no folder nowhere"]);
+}
+
 /// Bad input: exit code 2, these words in one line on stderr, nothing on stdout, nothing written.
 fn refused(test: &str, arguments: &[&str], words: &[&str]) {
     let place = Place::new(test);

@@ -25,25 +25,31 @@
 #![forbid(unsafe_code)]
 
 mod budgets;
+mod catalogue;
 mod declare;
 mod domain;
+mod encoded;
 mod formula;
 pub mod gauge;
 mod interval;
 mod measure;
 mod number;
+pub mod page;
 mod probe;
 mod probes;
 mod quad;
+mod reach;
 mod sample;
 mod shaped;
+mod state;
 mod target;
 mod units;
 
 pub use budgets::{Budgets, FULL_SAMPLES, Record, Regression, UnreadableRecord, measure_all};
+pub use catalogue::{Catalogue, CatalogueError, Subject, Unknown, is_host};
 pub use domain::{Domain, Spread, any, between, not_negative, positive};
 //E pub use enclosure::{Enclosure, enclose};
-//E pub use formula::formula;
+pub use encoded::{Encoded, EncodedFunction, Vanished, path_of};
 pub use formula::formula;
 pub use gauge::Gauge;
 pub use interval::{Decided, Interval};
@@ -52,8 +58,10 @@ pub use number::{Body, Evaluators, Number};
 pub use probe::{Argument, Declaration, Name, Probe, Quantity, WrongCount, own};
 pub use probes::{of_equation, probes};
 pub use quad::{NotANumber, Quad};
+pub use reach::{Equivalent, Mutants, Noticed, Reach};
 pub use sample::{hard_inputs, random_inputs};
 pub use shaped::{Shaped, take};
+pub use state::{Error as TargetError, Row, State, Survey, Worse};
 pub use target::{Label, Target, UnknownTarget};
 pub use units::{UnitFault, check_units};
 //E pub use units::{UnitFault, check_units};

@@ -141,6 +141,12 @@ impl Probe {
         format!("{}::{}{variant}{dimension}", self.module, self.function)
     }
 
+    /// Module and function, as in `dissipation::linear_coefficient`: what all probes of an equation have in common.
+    #[must_use]
+    pub fn path(&self) -> String {
+        format!("{}::{}", self.module, self.function)
+    }
+
     /// What the equation left in the registry.
     #[must_use]
     pub fn entry(&self) -> Option<&'static EquationEntry> {

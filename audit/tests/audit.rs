@@ -8,5 +8,9 @@ mod declarations;
 mod formula;
 #[path = "audit/oracle.rs"]
 mod oracle;
+#[path = "audit/pages.rs"]
+mod pages;
+#[path = "audit/state.rs"]
+mod state;
 #[path = "audit/units.rs"]
 mod units;

@@ -13,8 +13,11 @@ Examples:
   etalon explain sod --scheme AV          passes, fields, memory and work of a step
   etalon emit sod --target wgsl --out DIR  its kernels as text, to read or to port
   etalon bench                            speed of a step on one core
+  etalon audit                            every equation of the papers against its record
+  etalon show gs25:13                     an equation: formula, reading, code, errors, tests
 
-Exit code: 0 if all is well, 1 if a comparison failed its tolerance or a run broke down, 2 for bad input.";
+Exit code: 0 if all is well, 1 if a comparison failed its tolerance, something became worse than recorded or a run broke down, 2 for
+bad input.";
 
 /// A reference standard for the kernels of smoothed-particle hydrodynamics.
 #[derive(Debug, Parser)]
@@ -42,6 +45,12 @@ pub enum Command {
     Emit(EmitArguments),
     /// Measure the speed of a complete step
     Bench(BenchArguments),
+    /// Hold every equation of the papers against its record: encoded, tested, how far each target is from the truth
+    Audit(AuditArguments),
+    /// Show all that is known of an equation: paper, reading, code, WGSL, errors, tests
+    Show(ShowArguments),
+    /// Write the book's pages of the equations
+    Pages(PagesArguments),
 }
 
 /// A scene and its physics.
@@ -165,6 +174,45 @@ pub struct BenchArguments {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// `etalon audit`.
+#[derive(Clone, Debug, Args)]
+pub struct AuditArguments {
+    /// Random inputs for each equation, beside the hard ones [default: 1000; 100000 for a record]
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
+    pub samples: Option<usize>,
+    /// One equation only, by its number (gs25:13) or its function (slope_limiter)
+    #[arg(long, value_name = "ID", conflicts_with = "record")]
+    pub only: Option<String>,
+    /// Make what is found the record that later audits are held against; run it in the root of the sources
+    #[arg(long)]
+    pub record: bool,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `etalon show`.
+#[derive(Clone, Debug, Args)]
+pub struct ShowArguments {
+    /// An equation's number, such as gs25:13, or a function, such as mixed_sinc
+    #[arg(value_name = "ID")]
+    pub subject: String,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `etalon pages`.
+#[derive(Clone, Debug, Args)]
+pub struct PagesArguments {
+    /// Write nothing; fail if a page is stale
+    #[arg(long)]
+    pub check: bool,
+    /// The book's folder
+    #[arg(long, value_name = "DIR", default_value = "docs")]
+    pub out: PathBuf,
 }
 
 /// A whole number from 1 on; `1e6` and `1_000_000` are one too.

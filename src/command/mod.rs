@@ -1,8 +1,9 @@
-//! The program `etalon`: `run`, `scenes`, `explain`, `emit`, `bench`.
+//! The program `etalon`: `run`, `scenes`, `explain`, `emit`, `bench`, `audit`, `show`, `pages`.
 //!
 //! Results go to stdout, progress and errors to stderr. Nothing is written to disk before it is complete.
 
 mod arguments;
+mod audit;
 mod bench;
 mod choices;
 mod emit;
@@ -10,9 +11,11 @@ mod explain;
 mod failure;
 mod machine;
 mod memory;
+mod pages;
 mod run;
 mod scenes;
 mod setup;
+mod show;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
@@ -25,7 +28,8 @@ use std::process::ExitCode;
 
 /// Runs the program with these arguments, the program's name first; returns its exit code.
 ///
-/// 0: done, and every comparison lies within its tolerance; 1: one does not, or a run broke down; 2: bad input.
+/// 0: done, and every comparison lies within its tolerance; 1: one does not, or a run broke down, or a record or page is no longer
+/// true; 2: bad input.
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
@@ -37,6 +41,9 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Explain(arguments) => explain::explain(&arguments).map(Done::passed),
         Command::Emit(arguments) => emit::emit(&arguments).map(Done::passed),
         Command::Bench(arguments) => bench::bench(&arguments).map(Done::passed),
+        Command::Audit(arguments) => audit::audit(&arguments),
+        Command::Show(arguments) => show::show(&arguments).map(Done::passed),
+        Command::Pages(arguments) => pages::pages(&arguments),
     };
     match done {
         Ok(done) => match print(&done.text) {
@@ -98,6 +105,17 @@ fn refused(error: &clap::Error) -> ExitCode {
         return ExitCode::from(2);
     }
     ExitCode::from(if error.use_stderr() { 2 } else { 0 })
+}
+
+/// Enters all keys of something into a JSON object.
+fn extend(object: &mut serde_json::Value, more: &impl serde::Serialize) -> Result<(), Failure> {
+    let broken = |error: &dyn std::fmt::Display| Failure::Broken(format!("the result has no JSON form: {error}"));
+    let more = serde_json::to_value(more).map_err(|error| broken(&error))?;
+    match (object.as_object_mut(), more) {
+        (Some(object), serde_json::Value::Object(more)) => object.extend(more),
+        _ => return Err(broken(&"it is no object")),
+    }
+    Ok(())
 }
 
 /// Pretty JSON with a line break at its end.

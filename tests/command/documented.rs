@@ -96,6 +96,7 @@ impl Page {
         let mut seen = vec![path.to_string()];
         let fits = match kind {
             "string" => value.is_string(),
+            "boolean" => value.is_boolean(),
             "integer" => value.is_u64(),
             "number" => value.is_number(),
             "list of strings" => every(Value::is_string),

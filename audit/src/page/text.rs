@@ -1,0 +1,164 @@
+//! A page for a terminal.
+
+use super::{Call, Function, LedgerEntry, Page, figures};
+use std::fmt;
+
+const WIDTH: usize = 100;
+
+impl fmt::Display for Page {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}  {}", self.subject, self.title)?;
+        for entry in &self.entries {
+            ledger(f, entry)?;
+        }
+        for entry in &self.functions {
+            function(f, entry)?;
+        }
+        Ok(())
+    }
+}
+
+fn ledger(f: &mut fmt::Formatter<'_>, entry: &LedgerEntry) -> fmt::Result {
+    writeln!(f, "\n== {}, in the ledger: {}", entry.id, entry.title)?;
+    writeln!(f, "{}", wrapped(&format!("{}, section {}.", entry.citation, entry.section)))?;
+    writeln!(f, "{}; our reading is {}.", entry.kind, entry.confidence)?;
+    writeln!(f, "\nFormula\n  {}", entry.latex)?;
+    if let Some(printed) = &entry.latex_as_printed {
+        writeln!(f, "\nAs printed\n  {printed}")?;
+    }
+    if !entry.symbols.is_empty() {
+        writeln!(f, "\nSymbols")?;
+        let rows: Vec<_> =
+            entry.symbols.iter().map(|of| vec![of.symbol.clone(), format!("[{}]", of.unit), of.name.clone()]).collect();
+        write!(f, "{}", table(&rows))?;
+    }
+    let parts = [
+        ("Reading", Some(&entry.reading)),
+        ("Open question", entry.open_question.as_ref()),
+        ("Deviation", entry.deviation.as_ref()),
+        ("Not encoded", entry.not_encoded.as_ref()),
+    ];
+    for (name, text) in parts.into_iter().filter_map(|(name, text)| Some((name, text?))) {
+        writeln!(f, "\n{name}\n{}", wrapped(text))?;
+    }
+    Ok(())
+}
+
+fn function(f: &mut fmt::Formatter<'_>, function: &Function) -> fmt::Result {
+    let of = function.unnumbered.clone().unwrap_or_else(|| function.ids.join(", "));
+    writeln!(f, "\n== {} ({of})", function.path)?;
+    writeln!(f, "{}:{}\n", function.file, function.line)?;
+    writeln!(f, "{}", indented(&function.source))?;
+    if function.runs_on == "host" {
+        writeln!(f, "\nRuns on the host only: it is not generic over the number, and not drawn.")?;
+    } else if function.calls.is_empty() {
+        writeln!(f, "\nNo probe calls it yet: it was neither drawn nor measured here.")?;
+    }
+    for call in &function.calls {
+        drawn(f, call)?;
+    }
+    if !function.calls.is_empty() {
+        writeln!(f, "\nWorst error measured, of the budget: ulps of the natural scale")?;
+        let rows: Vec<_> = std::iter::once(figures::head()).chain(figures::rows(function)).collect();
+        write!(f, "{}", table(&rows))?;
+        match figures::unbounded(function) {
+            0 => {}
+            count => writeln!(f, "  {count} numbers have no bound, because a divisor may be nothing.")?,
+        }
+    }
+    tests(f, function)
+}
+
+fn drawn(f: &mut fmt::Formatter<'_>, call: &Call) -> fmt::Result {
+    let quantities = call.arguments.iter().chain(&call.results);
+    let own: Vec<_> = quantities
+        .map(|of| {
+            let domain = of.domain.as_ref().map_or_else(|| "result".to_string(), ToString::to_string);
+            let meaning = of.meaning.clone().unwrap_or_default();
+            vec![of.name.clone(), of.symbol.clone(), format!("[{}]", of.unit), domain, meaning]
+        })
+        .collect();
+    if call.wgsl.is_none() {
+        return Ok(());
+    }
+    writeln!(f, "\n{}: arguments, units, domains", call.probe)?;
+    write!(f, "{}", table(&own))?;
+    if let Some(arranged) = &call.arranged {
+        writeln!(f, "{}", wrapped(&format!("The arguments belong together: {arranged}.")))?;
+    }
+    if let Some(formula) = &call.formula {
+        writeln!(f, "\n{}: the formula as it is computed\n{}", call.probe, indented(formula))?;
+    }
+    writeln!(f, "\n{}: {} operations in f32", call.probe, call.operations.words)?;
+    if let Some(wgsl) = &call.wgsl {
+        writeln!(f, "\n{}: as WGSL\n{}", call.probe, indented(wgsl.trim_end()))?;
+    }
+    Ok(())
+}
+
+fn tests(f: &mut fmt::Formatter<'_>, function: &Function) -> fmt::Result {
+    let how = if function.tests_known_by == "run" { "that reach it" } else { "that call it by name" };
+    match function.tests.len() {
+        0 => writeln!(f, "\nTests {how}: none")?,
+        count => writeln!(f, "\nTests {how}: {count}\n{}", indented(&function.tests.join("\n")))?,
+    }
+    let Some(mutants) = &function.mutants else {
+        return writeln!(f, "\nMutants: not run yet");
+    };
+    writeln!(f, "\nMutants: {} caught, {} equivalent", mutants.caught, mutants.passed_over)?;
+    let rows: Vec<_> =
+        mutants.noticed_by.iter().map(|of| vec![of.mutants.to_string(), format!("by {}", of.test)]).collect();
+    write!(f, "{}", table(&rows))?;
+    for equivalent in &mutants.equivalent {
+        writeln!(f, "  {}\n    {}", equivalent.changes.join("; "), equivalent.reason)?;
+    }
+    Ok(())
+}
+
+/// Rows with columns below each other, each as wide as its widest cell, the last one free.
+pub(crate) fn table(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let line = |row: &Vec<String>| {
+        let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+        format!("  {}\n", cells.join("  ").trim_end())
+    };
+    rows.iter().map(line).collect()
+}
+
+/// Words in lines of a terminal's width, indented.
+fn wrapped(text: &str) -> String {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        let line = lines.len() - 1;
+        if !lines[line].is_empty() && lines[line].chars().count() + word.chars().count() >= WIDTH {
+            lines.push(word.to_string());
+        } else {
+            let space = if lines[line].is_empty() { "" } else { " " };
+            lines[line] += &format!("{space}{word}");
+        }
+    }
+    indented(&lines.join("\n"))
+}
+
+fn indented(text: &str) -> String {
+    let line = |line: &str| if line.is_empty() { String::new() } else { format!("  {line}") };
+    text.lines().map(line).collect::<Vec<_>>().join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_wrapped_and_columns_aligned() {
+        let text = wrapped(&"word ".repeat(50));
+        assert!(text.lines().all(|line| line.len() <= WIDTH + 2 && line.starts_with("  word")));
+        assert_eq!(text.lines().count(), 3);
+        let rows = [vec!["a".to_string(), "b".to_string()], vec!["long".to_string(), "c".to_string()]];
+        assert_eq!(table(&rows), "  a     b\n  long  c\n");
+    }
+}
