@@ -76,13 +76,12 @@ impl Interval {
     /// This product or quotient, cut off at zero where the signs of both sides are known.
     fn signed_like(self, one: Self, other: Self) -> Self {
         let (not_negative, not_positive) = (|x: Self| x.low >= 0.0, |x: Self| x.high <= 0.0);
-        if not_negative(one) && not_negative(other) || not_positive(one) && not_positive(other) {
-            Interval { low: self.low.max(0.0), ..self }
-        } else if not_negative(one) && not_positive(other) || not_positive(one) && not_negative(other) {
-            Interval { high: self.high.min(0.0), ..self }
-        } else {
-            self
-        }
+        let alike = not_negative(one) && not_negative(other) || not_positive(one) && not_positive(other);
+        let unlike = not_negative(one) && not_positive(other) || not_positive(one) && not_negative(other);
+        // Both, if one side is zero.
+        let low = if alike { self.low.max(0.0) } else { self.low };
+        let high = if unlike { self.high.min(0.0) } else { self.high };
+        Interval { low, high }
     }
     /// From the least to the greatest of the four results at the corners.
     fn corners(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {

@@ -7,6 +7,7 @@
 //! |---|---|
 //! | how far from the truth? | [`measure`] on a [`Target`] against the [`Quad`] oracle, in ulps; [`Budgets`] is the record |
 //! | how far can it be? | [`Gauge`]: the budget that follows from the operations |
+//! | what can it give at all? | [`enclose`]: rigorous bounds over its domain, by [`Interval`]s |
 //! | do its units fit? | [`check_units`]: every node of the drawn graph |
 //! | what does the code compute? | [`formula`] in LaTeX; [`Probe::draw`], printed by [`etalon_kernels_gen::emit`] |
 //!
@@ -28,6 +29,7 @@ mod budgets;
 mod catalogue;
 mod declare;
 mod domain;
+mod enclosure;
 mod encoded;
 mod formula;
 pub mod gauge;
@@ -48,7 +50,7 @@ mod units;
 pub use budgets::{Budgets, FULL_SAMPLES, Record, Regression, UnreadableRecord, measure_all};
 pub use catalogue::{Catalogue, CatalogueError, Subject, Unknown, is_host};
 pub use domain::{Domain, Spread, any, between, not_negative, positive};
-//E pub use enclosure::{Enclosure, enclose};
+pub use enclosure::{Enclosure, enclose};
 pub use encoded::{Encoded, EncodedFunction, Vanished, path_of};
 pub use formula::formula;
 pub use gauge::Gauge;
@@ -64,7 +66,6 @@ pub use shaped::{Shaped, take};
 pub use state::{Error as TargetError, Row, State, Survey, Worse};
 pub use target::{Label, Target, UnknownTarget};
 pub use units::{UnitFault, check_units};
-//E pub use units::{UnitFault, check_units};
 
 /// What [`probe!`] refers to. Not for direct use.
 #[doc(hidden)]

@@ -1,9 +1,11 @@
 //! The probes, a file per subject as in `reference/src/equations/`. Entering a file here is all there is to it.
 
+mod conduction;
 mod dissipation;
 mod double_hump;
 mod drag;
 mod dust_reconstruction;
+mod entropy;
 mod equation_of_state;
 mod grad_h;
 mod gradients;
@@ -15,6 +17,8 @@ mod polar;
 mod reconstruction;
 mod smoothing_length;
 mod stiff_drag;
+mod switch;
+mod test_problems;
 mod time_step;
 mod turbulence;
 mod volume_elements;
@@ -25,10 +29,12 @@ use std::sync::LazyLock;
 
 static PROBES: LazyLock<Vec<Probe>> = LazyLock::new(|| {
     [
+        conduction::probes(),
         dissipation::probes(),
         double_hump::probes(),
         drag::probes(),
         dust_reconstruction::probes(),
+        entropy::probes(),
         equation_of_state::probes(),
         grad_h::probes(),
         gradients::probes(),
@@ -40,6 +46,8 @@ static PROBES: LazyLock<Vec<Probe>> = LazyLock::new(|| {
         reconstruction::probes(),
         smoothing_length::probes(),
         stiff_drag::probes(),
+        switch::probes(),
+        test_problems::probes(),
         time_step::probes(),
         turbulence::probes(),
         volume_elements::probes(),

@@ -4,6 +4,10 @@
 mod budgets;
 #[path = "audit/declarations.rs"]
 mod declarations;
+#[path = "audit/derivatives.rs"]
+mod derivatives;
+#[path = "audit/enclosures.rs"]
+mod enclosures;
 #[path = "audit/formula.rs"]
 mod formula;
 #[path = "audit/oracle.rs"]

@@ -56,6 +56,34 @@ pub(super) fn probes() -> Vec<Probe> {
         => balsara: R = r"\mathcal{B}_a", "1";
     });
     list.extend(probe! {
+        dissipation::regularised_approach(v_dot_r, r_squared, mean_h);
+        v_dot_r: R = own(r"(\mathbf{v}_{ab}\cdot\mathbf{r}_{ab})", "scalar product of velocity and position of the pair"), "L^2 T^-1", any(1e-3, 1e3);
+        r_squared: R = own(r"|\mathbf{r}_{ab}|^2", "squared distance of the pair"), "L^2", not_negative(1e-3, 1e3);
+        mean_h: R = r"\bar{h}_{ab}", "L", positive(1e-3, 1e3);
+        => approach: R = r"\mu_{ab}", "L T^-1";
+    });
+    list.extend(probe! {
+        dissipation::limited_viscosity(balsara_ab, viscosity);
+        balsara_ab: R = r"\mathcal{B}_{ab}", "1", between(0.0, 1.0);
+        viscosity: R = PI_AB, "M^-1 L^(2+nu) T^-2", any(1e-3, 1e3);
+        => limited: R = own(r"\mathcal{B}_{ab}\Pi_{ab}", "limited viscosity of the pair"), "M^-1 L^(2+nu) T^-2";
+    });
+    list.extend(probe! {
+        dissipation::wave_aware_limiter(divergence, curl, sound_speed, inverse_h, angular_frequency);
+        divergence: R = own(r"(\nabla\cdot\mathbf{v})_a", "velocity divergence at particle a"), "T^-1", any(1e-3, 1e3);
+        curl: R = r"|\nabla\times\mathbf{v}|_a", "T^-1", not_negative(1e-3, 1e3);
+        sound_speed: R = "c_a", "L T^-1", not_negative(1e-3, 1e3);
+        inverse_h: R = own("h_a^{-1}", "inverse smoothing length of particle a"), "L^-1", positive(1e-3, 1e3);
+        angular_frequency: R = own(r"\frac{2\pi}{T_a}", "angular frequency of the wave's driver"), "T^-1", not_negative(1e-3, 1e3);
+        => balsara: R = r"\mathcal{B}^{*}_a", "1";
+    });
+    list.extend(probe! {
+        dissipation::sign_is_reversed(omega_ab, omega_prime);
+        omega_ab: R = own(r"\omega_{ab}", "relative velocity along the line of the pair"), "L T^-1", any(1e-3, 1e3);
+        omega_prime: R = own(r"\omega'_{ab}", "reconstructed relative velocity along the line of the pair"), "L T^-1", any(1e-3, 1e3);
+        => reversed: R = own(r"n_{\omega\omega'<0}", "one if the signs differ, else zero"), "1";
+    });
+    list.extend(probe! {
         as "AV";
         dissipation::linear_coefficient(&Viscosity::of(Dissipation::Av), balsara_ab);
         balsara_ab: R = r"\bar{\mathcal{B}}_{ab}", "1", between(0.0, 1.0);
