@@ -164,6 +164,8 @@ fn symbol(latex: &str) -> String {
         ("\\tau", "τ"),
         ("\\mu", "μ"),
         ("\\sum", "Σ"),
+        ("\\alpha", "α"),
+        ("\\omega", "ω"),
         ("\\nabla\\cdot ", "∇·"),
         ("\\nabla", "∇"),
         ("^T", "ᵀ"),
