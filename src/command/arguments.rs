@@ -61,7 +61,7 @@ pub struct SceneArguments {
     /// Dimensions: 1, 2 or 3
     #[arg(long, value_name = "D", default_value = "3", value_parser = dimension, allow_negative_numbers = true)]
     pub dim: usize,
-    /// About how many particles, boundary layers not counted [default: 450 in 1-D, 6000 in 2-D, 11000 in 3-D]
+    /// About how many particles, boundary layers not counted [default: 450 in 1-D, 6000 in 2-D, 14000 in 3-D]
     #[arg(long, value_parser = count, allow_negative_numbers = true)]
     pub n: Option<usize>,
     /// Dissipation scheme: AV, AVSW, AVSLR, AVSWSLR, AVSLRB, AVSLRB2, AVSLRB2F or AVB; `etalon scenes` lists all

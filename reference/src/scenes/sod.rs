@@ -92,7 +92,7 @@ impl Sod {
     /// The paper's settings in `dimension` dimensions, with a size that the scalar reference runs within a minute.
     pub fn standard(dimension: usize) -> Self {
         Sod {
-            particles: [450, 6_000, 11_000][dimension - 1],
+            particles: [450, 6_000, 14_000][dimension - 1],
             arrangement: Arrangement::Lattice,
             smoothed: false,
             gamma: 5.0 / 3.0,
