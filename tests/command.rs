@@ -377,6 +377,57 @@ fn refused(test: &str, arguments: &[&str], words: &[&str]) {
     assert_eq!(place.listing(), Vec::<String>::new(), "{arguments:?}");
 }
 
+/// The tube in one dimension, coarse, with walls: as a user would write it.
+fn start_file() -> String {
+    let mut text = "# my own tube\nx,mass,smoothing_length,internal_energy,mobile\n".to_string();
+    let mut side = |from: f64, spacing: f64, count: i32, density: f64, pressure: f64| {
+        for i in 0..count {
+            let x = from + (f64::from(i) + 0.5) * spacing;
+            let mobile = u8::from((0.0..1.0).contains(&x));
+            let energy = 1.5 * pressure / density;
+            text += &format!("{x},{},{},{energy},{mobile}\n", density * spacing, 1.45 * spacing);
+        }
+    };
+    // A few layers more at each end are the walls.
+    side(-0.05, 0.005, 110, 1.0, 1.0);
+    side(0.5, 0.04, 20, 0.125, 0.1);
+    text
+}
+
+#[test]
+fn a_run_starts_from_the_particles_of_a_file() {
+    let place = Place::new("startfile");
+    fs::write(place.path("my tube.csv"), start_file()).unwrap();
+    let run = ["run", "sod", "--dim", "1", "--start-file", "my tube.csv", "--backend", "simd", "--json"];
+    let output = place.etalon(&run);
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    let report = json(stdout(&output));
+    assert_eq!((&report["scene"]["arrangement"], &report["scene"]["particles"]), (&"file".into(), &130.into()));
+    assert!(
+        report["command"].as_str().unwrap().contains("--start-file 'my tube.csv' --scheme"),
+        "{}",
+        report["command"]
+    );
+    // It is that tube: one of as many particles that the program makes has 0.012, too.
+    let of_velocity = |run: &Value| {
+        let errors = run["outcome"]["ran"]["discretisation_error"].as_array().unwrap();
+        errors.iter().find(|e| e["field"] == "velocity_x").unwrap()["l1"].as_f64().unwrap()
+    };
+    let error = of_velocity(&report["runs"][0]);
+    assert!((0.01..0.015).contains(&error), "L1 of the velocity is {error}");
+
+    // One number spoilt, and nothing is written or written over.
+    let before = fs::read_to_string(place.path("etalon-out/sod-1d/report.json")).unwrap();
+    let spoilt = start_file().replacen(",1.5,", ",NaN,", 1);
+    fs::write(place.path("my tube.csv"), spoilt).unwrap();
+    let output = place.etalon(&run);
+    assert_eq!((code(&output), stdout(&output)), (Some(2), ""));
+    let words = ["my tube.csv, line 3", "internal_energy is `NaN`", "must be a finite number"];
+    assert!(words.iter().all(|word| stderr(&output).contains(word)), "{}", stderr(&output));
+    assert_eq!(fs::read_to_string(place.path("etalon-out/sod-1d/report.json")).unwrap(), before);
+    refused("nostart", &["run", "sod", "--start-file", "nowhere.csv"], &["--start-file nowhere.csv", "cannot be read"]);
+}
+
 #[test]
 fn unknown_names_are_refused_with_the_right_ones() {
     refused("scene", &["run", "sedov"], &["`sedov`", "there is no scene", "sod"]);

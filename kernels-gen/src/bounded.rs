@@ -55,6 +55,18 @@ impl<P: Roundoff> Bounded<P> {
     fn rounded(value: f64, passed_on: f64) -> Self {
         Self::new(value, passed_on + P::UNIT * value.abs() + P::TINY)
     }
+    /// The least that the same computation may give.
+    fn low(self) -> f64 {
+        self.value - self.error()
+    }
+    /// The most that it may give.
+    fn high(self) -> f64 {
+        self.value + self.error()
+    }
+    /// A value that is taken over without rounding, known to lie between two others.
+    fn between(value: f64, (low, high): (f64, f64)) -> Self {
+        Self::new(value, (value - low).max(high - value))
+    }
     /// The value.
     pub fn value(self) -> f64 {
         self.value
@@ -153,11 +165,11 @@ impl<P: Roundoff> Real for Bounded<P> {
     }
     fn min(self, other: Self) -> Self {
         let value = if self.value < other.value { self.value } else { other.value };
-        Self::new(value, self.error.max(other.error))
+        Self::between(value, (self.low().min(other.low()), self.high().min(other.high())))
     }
     fn max(self, other: Self) -> Self {
         let value = if self.value > other.value { self.value } else { other.value };
-        Self::new(value, self.error.max(other.error))
+        Self::between(value, (self.low().max(other.low()), self.high().max(other.high())))
     }
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
@@ -204,6 +216,22 @@ mod tests {
                 prop_assert!((f64::from(found) - sum.value()).abs() <= sum.error());
             }
         }
+    }
+
+    /// Of two numbers that are surely apart only the chosen one's error counts: a limit of 1e30 must not lend its rounding to a time step.
+    #[test]
+    fn the_smaller_does_not_take_over_the_error_of_the_larger() {
+        let (small, large) = (Bounded::<Single>::new(1.0, 1e-7), Bounded::new(1e30, 1e22));
+        // One minus 1e-7, and that from one, each round once in f64.
+        let tolerance = 2.0 * f64::EPSILON;
+        for least in [small.min(large), large.min(small), (-small).max(-large), (-large).max(-small)] {
+            assert_eq!(least.value().abs(), 1.0);
+            assert!((least.error() - 1e-7).abs() <= tolerance, "{:e}", least.error());
+        }
+        // Where they overlap the other's may count: the least of 1 +- 0.1 and 1.05 +- 0.3 is between 0.75 and 1.1.
+        let least = Bounded::<Single>::new(1.0, 0.1).min(Bounded::new(1.05, 0.3));
+        assert!((least.error() - 0.25).abs() <= tolerance, "{:e}", least.error());
+        assert_eq!(small.min(Bounded::new(2.0, f64::NAN)).error(), f64::INFINITY);
     }
 
     #[test]

@@ -48,6 +48,9 @@ pub trait Engine<const D: usize> {
     /// Fixed-point coordinates along one axis, by particle.
     fn coordinates(&mut self, axis: usize) -> Result<Vec<u64>, EngineError>;
 
+    /// Gives back what memory only neighbours and passes need; before the next pass they must be found again.
+    fn forget_neighbours(&mut self) {}
+
     /// A scalar field, by particle.
     fn read_scalar(&mut self, field: Field) -> Result<Vec<f64>, EngineError> {
         debug_assert_eq!(field.rank, Rank::Scalar);

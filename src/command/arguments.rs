@@ -2,6 +2,7 @@
 
 use super::choices::{Backend, Precision, SceneName, Start, Target};
 use clap::{Args, Parser, Subcommand};
+use etalon_reference::scenes::sod::END_TIME;
 use etalon_reference::schemes::{Dissipation, GradH, Kernel};
 use std::path::PathBuf;
 
@@ -82,6 +83,9 @@ pub struct SceneArguments {
     /// How particles start: on a lattice, or relaxed to a glass
     #[arg(long, value_name = "HOW", default_value = "lattice")]
     pub start: Start,
+    /// Start from the particles in this table of comma-separated values (columns in docs/sod.md) instead of making them
+    #[arg(long, value_name = "CSV", conflicts_with_all = ["n", "start", "smoothed"])]
+    pub start_file: Option<PathBuf>,
     /// Start from a pressure smoothed across the interface (GS25, Eq. 21) instead of a sharp jump
     #[arg(long)]
     pub smoothed: bool,
@@ -89,7 +93,7 @@ pub struct SceneArguments {
     #[arg(long, value_parser = number, allow_negative_numbers = true)]
     pub gamma: Option<f64>,
     /// Simulated time to stop at
-    #[arg(long, value_name = "T", default_value = "0.2", value_parser = number, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", default_value_t = END_TIME, value_parser = number, allow_negative_numbers = true)]
     pub end_time: f64,
     /// One backend only, beside the reference: reference, simd or wgpu [default: all]
     #[arg(long, value_name = "NAME")]

@@ -15,6 +15,7 @@ use crate::report::plain;
 use etalon_kernels_gen::lanes::level_name;
 use etalon_reference::domain::Domain;
 use etalon_reference::engine::{Engine, EngineError, PlainEngine};
+use etalon_reference::equations::reconstruction::smoothing_length_holding;
 use etalon_reference::particles::{Particle, ParticleSet};
 use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
@@ -93,11 +94,11 @@ pub fn bench(arguments: &BenchArguments) -> Result<String, Failure> {
 }
 
 /// A jittered lattice in the unit box.
-fn particles(across: usize, neighbours: f64) -> Result<ParticleSet<3>, Failure> {
+fn particles(across: usize, physics: Physics) -> Result<ParticleSet<3>, Failure> {
     let spacing = 1.0 / across as f64;
     let mut random = Pcg64Mcg::seed_from_u64(1);
     let mut scatter = move |size: f64| size * (random.random::<f64>() - 0.5);
-    let h = spacing * (neighbours / (32.0 * std::f64::consts::PI / 3.0)).cbrt();
+    let h = smoothing_length_holding(physics.neighbours, spacing.powi(3), 3, physics.kernel.support());
     let particle = |i: usize| {
         let cell = [i % across, i / across % across, i / across / across];
         Particle {
@@ -116,7 +117,7 @@ fn particles(across: usize, neighbours: f64) -> Result<ParticleSet<3>, Failure> 
 
 /// Nanoseconds a particle update of the scalar reference takes.
 fn reference(physics: Physics) -> Result<f64, Failure> {
-    let set = particles(REFERENCE_ACROSS, physics.neighbours)?;
+    let set = particles(REFERENCE_ACROSS, physics)?;
     let mut simulation = Simulation::new(Timed::new(PlainEngine::<f64, 3>::new(&set)), physics)?;
     Ok(time(&mut simulation, REFERENCE_STEPS)? * 1e9 / (set.len() * REFERENCE_STEPS) as f64)
 }
@@ -139,7 +140,7 @@ fn measure<T: Number>(
     peak_gflops: f64,
     reference: f64,
 ) -> Result<Measured, Failure> {
-    let set = particles(across, physics.neighbours)?;
+    let set = particles(across, physics)?;
     let particles = set.len();
     let fields = Pipeline::of_scene::<3>(&physics).fields::<3>();
     let engine = LaneEngine::<T, 3>::new(&set, &fields, Options { level });

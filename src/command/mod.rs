@@ -16,6 +16,7 @@ mod run;
 mod scenes;
 mod setup;
 mod show;
+mod start_file;
 
 use arguments::{Arguments, Command};
 use clap::Parser;

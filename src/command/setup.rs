@@ -3,6 +3,7 @@
 use super::arguments::SceneArguments;
 use super::choices::Start;
 use super::failure::Failure;
+use super::start_file::StartFile;
 use crate::report::plain;
 use etalon_kernels_gen::lanes::{available_levels, level_name};
 use etalon_reference::scenes::sod::{self, Sod};
@@ -10,7 +11,7 @@ use etalon_reference::schemes::Viscosity;
 use fearless_simd::Level;
 
 /// A scene with every option settled.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Setup {
     /// Dimensions.
     pub dimension: usize,
@@ -18,6 +19,8 @@ pub struct Setup {
     pub sod: Sod,
     /// Simulated time to stop at.
     pub end_time: f64,
+    /// Particles to start from instead of those the tube makes.
+    pub start_file: Option<StartFile>,
 }
 
 impl Setup {
@@ -25,8 +28,10 @@ impl Setup {
     pub fn new(arguments: &SceneArguments) -> Result<Self, Failure> {
         let standard = Sod::standard(arguments.dim);
         let usual = usual_neighbours(arguments);
+        let start_file = arguments.start_file.as_ref().map(|path| StartFile::read(path, arguments.dim)).transpose()?;
+        let given = start_file.as_ref().map(StartFile::mobile).or(arguments.n);
         let sod = Sod {
-            particles: arguments.n.unwrap_or(standard.particles),
+            particles: given.unwrap_or(standard.particles),
             arrangement: arguments.start.arrangement(),
             smoothed: arguments.smoothed,
             gamma: arguments.gamma.unwrap_or(standard.gamma),
@@ -36,11 +41,13 @@ impl Setup {
             grad_h: arguments.grad_h,
             conduction: arguments.conduction.unwrap_or(0.0),
         };
-        let setup = Setup { dimension: arguments.dim, sod, end_time: arguments.end_time };
-        match setup.dimension {
-            1 => sod.check::<1>(),
-            2 => sod.check::<2>(),
-            _ => sod.check::<3>(),
+        let setup = Setup { dimension: arguments.dim, sod, end_time: arguments.end_time, start_file };
+        // Whether particles from a file leave their supports room shows in their own smoothing lengths.
+        match (&setup.start_file, setup.dimension) {
+            (Some(_), dimension) => sod.check_physics(dimension),
+            (None, 1) => sod.check::<1>(),
+            (None, 2) => sod.check::<2>(),
+            (None, _) => sod.check::<3>(),
         }?;
         setup.check_dissipation()?;
         setup.check_end_time()?;
@@ -89,12 +96,17 @@ impl Setup {
     pub fn options(&self) -> String {
         let Sod { particles, arrangement, smoothed, gamma, kernel, neighbours, dissipation, grad_h, conduction } =
             self.sod;
-        let start = Start::ALL.iter().find(|s| s.arrangement() == arrangement).map_or("lattice", |s| s.name());
-        let smoothed = if smoothed { " --smoothed" } else { "" };
+        let particles = match &self.start_file {
+            Some(file) => format!("--start-file {}", quoted(&file.path().display().to_string())),
+            None => {
+                let start = Start::ALL.iter().find(|s| s.arrangement() == arrangement).map_or("lattice", |s| s.name());
+                format!("--n {particles} --start {start}{}", if smoothed { " --smoothed" } else { "" })
+            }
+        };
         let conduction = if conduction > 0.0 { format!(" --conduction {conduction}") } else { String::new() };
         format!(
-            "sod --dim {} --n {particles} --scheme {dissipation} --kernel {kernel} --neighbours {neighbours} --grad-h {grad_h} \
-             --start {start}{smoothed}{conduction} --gamma {gamma} --end-time {}",
+            "sod --dim {} {particles} --scheme {dissipation} --kernel {kernel} --neighbours {neighbours} --grad-h {grad_h}\
+             {conduction} --gamma {gamma} --end-time {}",
             self.dimension, self.end_time
         )
     }
@@ -114,6 +126,12 @@ impl Setup {
         }
         words
     }
+}
+
+/// As a shell takes it for one word.
+pub fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
+    if !word.is_empty() && word.chars().all(plain) { word.into() } else { format!("'{}'", word.replace('\'', "'\\''")) }
 }
 
 /// The scene's neighbours are for kernels of support 2 h; a wider one gets more, so that h stays the same.

@@ -78,7 +78,7 @@ pub struct Scene {
     pub gamma: f64,
     /// Time at which the fields are compared, in the scene's units.
     pub end_time: f64,
-    /// Particle arrangement at the start: `lattice` or `glass`.
+    /// Particle arrangement at the start: `lattice`, `glass` or `file`.
     pub arrangement: String,
     /// How the discontinuity starts: `sharp`, or `smoothed` with its width.
     pub discontinuity: String,

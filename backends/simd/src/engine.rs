@@ -268,4 +268,9 @@ impl<T: Number, const D: usize> Engine<D> for LaneEngine<T, D> {
         }
         Ok(values)
     }
+
+    fn forget_neighbours(&mut self) {
+        self.list = NeighbourList::default();
+        self.records = Vec::new();
+    }
 }

@@ -18,6 +18,11 @@ fn conforms<const D: usize, T: Number, P: Roundoff>() {
             level_name(level),
             summary.compared
         );
+        let (place, loosest) = summary.loosest.expect("no set without difficulty");
+        println!(
+            "  widest bound: {place}: {} {}, {:.1e} of the value",
+            loosest.pass, loosest.component, loosest.looseness
+        );
         assert!(summary.failures.is_empty(), "{} failures:\n{}", summary.failures.len(), summary.failures.join("\n"));
     }
 }

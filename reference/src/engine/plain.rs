@@ -148,23 +148,27 @@ impl<T: Scalar, const D: usize> Engine<D> for PlainEngine<T, D> {
     }
 
     fn run_pass<P: Pass<D>>(&mut self, pass: &P) -> Result<(), EngineError> {
+        if self.neighbours.particles() != self.count {
+            return Err(EngineError(format!("pass {} was asked for before neighbours were found", P::NAME)));
+        }
         let own_columns = self.columns(&P::Own::<T>::fields())?;
         let other_columns = self.columns(&P::Other::<T>::fields())?;
         let sum_fields = components(&P::Sums::<T>::fields(), D);
         let out_fields = P::Out::<T>::fields();
         let mut out = vec![Vec::with_capacity(self.count); components(&out_fields, D).len()];
+        // Once for each particle, not once for each pair.
+        let others: Vec<P::Other<T>> = (0..self.count).map(|b| gather(&other_columns, b)).collect();
         for a in 0..self.count {
             let own: P::Own<T> = gather(&own_columns, a);
             let mut sums = vec![T::zero(); sum_fields.len()];
             for &b in self.neighbours.of(a) {
-                let other: P::Other<T> = gather(&other_columns, b as usize);
                 let x_ab = Vector::from_fn(|axis| {
                     let column = &self.coordinates[axis];
                     T::from_separation(separation(column[a], column[b as usize], self.length[axis]))
                 });
                 let at = Separation { x_ab, r_squared: x_ab.norm_squared() };
                 let mut k = 0;
-                pass.pair(&own, &other, &at).give(&mut |term| {
+                pass.pair(&own, &others[b as usize], &at).give(&mut |term| {
                     sums[k] = match sum_fields[k].field.reduction {
                         Reduction::Sum => sums[k].accumulate(term),
                         Reduction::Max => sums[k].max(term),
@@ -233,5 +237,9 @@ impl<T: Scalar, const D: usize> Engine<D> for PlainEngine<T, D> {
 
     fn coordinates(&mut self, axis: usize) -> Result<Vec<u64>, EngineError> {
         Ok(self.coordinates[axis].clone())
+    }
+
+    fn forget_neighbours(&mut self) {
+        self.neighbours = PlainNeighbours::default();
     }
 }

@@ -14,6 +14,10 @@ impl PlainNeighbours {
     pub fn of(&self, particle: usize) -> &[u32] {
         &self.members[self.start[particle]..self.start[particle + 1]]
     }
+    /// For how many particles neighbours were found.
+    pub fn particles(&self) -> usize {
+        self.start.len().saturating_sub(1)
+    }
     /// How many pairs there are, each counted from both ends.
     pub fn pair_count(&self) -> usize {
         self.members.len()

@@ -24,9 +24,12 @@ const fn member(weight: Constant, n: f64, b: [Constant; 3]) -> [[Constant; 2]; 3
     [[one, one.times(half)], [two, two.times(half)], [three, three.times(half)]]
 }
 
-/// The members of the mixed sinc kernel with their weights 0.9 and 0.1 (GS25 section 3).
-const MEMBER_4: [[Constant; 2]; 3] = member(Constant::ratio(9.0, 10.0), 4.0, SINC_4_NORMALISATION);
-const MEMBER_9: [[Constant; 2]; 3] = member(Constant::ratio(1.0, 10.0), 9.0, SINC_9_NORMALISATION);
+/// The weights of `S_4` and `S_9` in the mixed sinc kernel (GS25 section 3).
+pub const MIXED_SINC_WEIGHTS: [Constant; 2] = [Constant::ratio(9.0, 10.0), Constant::ratio(1.0, 10.0)];
+
+/// The members of the mixed sinc kernel.
+const MEMBER_4: [[Constant; 2]; 3] = member(MIXED_SINC_WEIGHTS[0], 4.0, SINC_4_NORMALISATION);
+const MEMBER_9: [[Constant; 2]; 3] = member(MIXED_SINC_WEIGHTS[1], 9.0, SINC_9_NORMALISATION);
 
 /// `p / (q pi)`, as the normalisations in two and three dimensions are.
 const fn over_pi(p: f64, q: f64) -> Constant {

@@ -105,3 +105,10 @@ pub fn reconstruction_share<R: Real>(viscosity: &Viscosity, balsara_ab: R) -> R 
 pub fn support_volume(dimension: usize, support: f64) -> f64 {
     [2.0, PI, 4.0 * PI / 3.0][dimension - 1] * support.powi(dimension as i32)
 }
+
+/// The smoothing length whose support holds so many neighbours where every particle has this volume, `(n V / (omega_nu R^nu))^(1/nu)`.
+///
+/// `support` is `R`, in smoothing lengths. Source: GS25 (16) solved for `h`, with `V^(1/nu)` as the mean spacing.
+pub fn smoothing_length_holding(neighbours: f64, volume: f64, dimension: usize, support: f64) -> f64 {
+    (neighbours * volume / support_volume(dimension, support)).powf(1.0 / dimension as f64)
+}

@@ -6,13 +6,17 @@ use etalon_kernels_gen::{Real, equation};
 /// No step is longer than this; it stands for "no limit" and is finite on every target.
 pub const LONGEST_STEP: f64 = 1e30;
 
+/// The Courant number on `h / v_sig`; on `h / c` it is half as large, for `v_sig` of two particles at rest is twice the sound speed.
+///
+/// Ours (SPH-EXA: 0.2 on `h/c`).
+pub const COURANT: f64 = 0.4;
+
 /// The step a signal allows, `0.4 h / v_sig`, with the largest signal velocity among the neighbours.
 ///
-/// `v_sig` of two particles at rest is twice the sound speed, so the Courant number on `h/c` is 0.2. Source: the criterion of Courant,
-/// Friedrichs & Lewy; the factor is ours (SPH-EXA: 0.2 on `h/c`).
+/// Source: the criterion of Courant, Friedrichs & Lewy; the factor is [`COURANT`].
 #[equation(unnumbered = "Courant's criterion")]
 pub fn courant_step<R: Real>(h: R, signal_velocity: R) -> R {
-    let limit = ratio_or_zero(0.4 * h, signal_velocity);
+    let limit = ratio_or_zero(R::lit(COURANT) * h, signal_velocity);
     if signal_velocity > 0.0 { limit } else { R::lit(LONGEST_STEP) }
 }
 

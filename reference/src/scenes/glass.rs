@@ -5,6 +5,7 @@
 
 use crate::domain::Domain;
 use crate::engine::{Engine, EngineError};
+use crate::equations::reconstruction::smoothing_length_holding;
 use crate::fields;
 use crate::particles::{Particle, ParticleError, ParticleSet};
 use crate::passes::{KickDrift, Physics};
@@ -42,8 +43,7 @@ pub fn relax<const D: usize, E: Engine<D>>(
     let domain = Domain::new([0.0; D], [1.0; D], [true; D]).map_err(ParticleError::from)?;
     let count = across.pow(D as u32);
     let spacing = 1.0 / across as f64;
-    let volume = crate::equations::reconstruction::support_volume(D, physics.kernel.support());
-    let h = spacing * (physics.neighbours / volume).powf(1.0 / D as f64);
+    let h = smoothing_length_holding(physics.neighbours, spacing.powi(D as i32), D, physics.kernel.support());
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let particles = (0..count)
         .map(|i| Particle {

@@ -3,7 +3,7 @@
 use super::{Arrangement, Tube, lattice::Side};
 use crate::domain::Domain;
 use crate::equations::initial_state::smoothed_pressure;
-use crate::equations::reconstruction::support_volume;
+use crate::equations::reconstruction::smoothing_length_holding;
 use crate::exact::riemann::{RiemannError, RiemannProblem, State};
 use crate::particles::{Particle, ParticleError, ParticleSet};
 use crate::passes::Physics;
@@ -17,6 +17,8 @@ pub const WIDTH: f64 = 0.125;
 pub const DENSITY: [f64; 2] = [1.0, 0.125];
 /// Pressure left and right (GS25 section 3.1).
 pub const PRESSURE: [f64; 2] = [1.0, 0.1];
+/// Over what width GS25 (21) smooths the pressure.
+pub const SMOOTHING_WIDTH: f64 = 0.01;
 /// When the paper looks (GS25 Fig. 1).
 pub const END_TIME: f64 = 0.2;
 /// Where errors are measured (GS25 section 3.1).
@@ -126,13 +128,12 @@ impl Sod {
         Ok(RiemannProblem::new(state(0), state(1), self.gamma)?)
     }
 
-    /// The smoothing length that holds the wanted neighbours where every particle has this volume.
-    fn smoothing_length<const D: usize>(&self, volume: f64) -> f64 {
-        (self.neighbours * volume / support_volume(D, self.kernel.support())).powf(1.0 / D as f64)
-    }
-
     fn pressure(&self, side: usize, x: f64) -> f64 {
-        if self.smoothed { smoothed_pressure(x, INTERFACE, 0.01, 0.45, 0.55) } else { PRESSURE[side] }
+        let [left, right] = PRESSURE;
+        match self.smoothed {
+            true => smoothed_pressure(x, INTERFACE, SMOOTHING_WIDTH, 0.5 * (left - right), 0.5 * (left + right)),
+            false => PRESSURE[side],
+        }
     }
 
     /// The initial particles. `glass` gives a relaxed cube of `across^D` particles when one is asked for.
@@ -147,7 +148,7 @@ impl Sod {
         let mut depth = [0.0; 2];
         for (side, lattice) in sides.into_iter().enumerate() {
             let density = DENSITY[side];
-            let h = self.smoothing_length::<D>(mass / density);
+            let h = smoothing_length_holding(self.neighbours, mass / density, D, self.kernel.support());
             depth[side] = WALL.max(2.0 * reach) * h;
             let places = match self.arrangement {
                 Arrangement::Lattice => TUBE.places::<D>(side, lattice, depth[side]),
@@ -166,19 +167,33 @@ impl Sod {
             }));
         }
         let ends = [-depth[0] - sides[0].along, 1.0 + depth[1] + sides[1].along];
-        let lower = std::array::from_fn(|axis| if axis == 0 { ends[0] } else { 0.0 });
-        let upper = std::array::from_fn(|axis| if axis == 0 { ends[1] } else { WIDTH });
-        let domain = Domain::new(lower, upper, std::array::from_fn(|axis| axis > 0)).map_err(ParticleError::from)?;
-        Ok(ParticleSet::new(domain, particles)?)
+        Ok(ParticleSet::new(domain(ends[0], ends[1])?, particles)?)
+    }
+
+    /// Whether there are such a gas and so many neighbours.
+    pub fn check_physics(&self, dimension: usize) -> Result<(), SodError> {
+        self.exact()?;
+        let (least, most) = [(4.0, 40.0), (10.0, 150.0), (30.0, 600.0)][dimension - 1];
+        if !(least..=most).contains(&self.neighbours) {
+            return Err(SodError::Neighbours { given: self.neighbours, dimension, least, most });
+        }
+        Ok(())
+    }
+
+    /// Particles made elsewhere in the tube's box: periodic across it, and as long as they and their supports reach.
+    pub fn particles_given<const D: usize>(
+        &self,
+        particles: Vec<Particle<D>>,
+    ) -> Result<ParticleSet<D>, ParticleError> {
+        let reach = |p: &Particle<D>| self.kernel.support() * p.smoothing_length;
+        let lowest = particles.iter().map(|p| p.position[0] - reach(p)).fold(f64::INFINITY, f64::min);
+        let highest = particles.iter().map(|p| p.position[0] + reach(p)).fold(f64::NEG_INFINITY, f64::max);
+        ParticleSet::new(domain(lowest, highest)?, particles)
     }
 
     /// Whether these choices make a tube in `D` dimensions.
     pub fn check<const D: usize>(&self) -> Result<(), SodError> {
-        self.exact()?;
-        let (least, most) = [(4.0, 40.0), (10.0, 150.0), (30.0, 600.0)][D - 1];
-        if !(least..=most).contains(&self.neighbours) {
-            return Err(SodError::Neighbours { given: self.neighbours, dimension: D, least, most });
-        }
+        self.check_physics(D)?;
         if !self.fits::<D>(self.particles) {
             let (given, neighbours) = (self.particles, self.neighbours);
             // Rows across the tube are whole: somewhat more particles are not always closer, so each number is tried.
@@ -197,13 +212,20 @@ impl Sod {
             return false;
         }
         let (_, mass) = TUBE.sides::<D>(particles);
-        let h = self.smoothing_length::<D>(mass / DENSITY[1]);
+        let h = smoothing_length_holding(self.neighbours, mass / DENSITY[1], D, self.kernel.support());
         let room = match self.arrangement {
             Arrangement::Lattice => LATTICE_ROOM,
             Arrangement::Glass => GLASS_ROOM,
         };
         D == 1 || 2.0 * self.kernel.support() * h * room <= WIDTH
     }
+}
+
+/// The tube's box between two ends: open along it, periodic across.
+fn domain<const D: usize>(low: f64, high: f64) -> Result<Domain<D>, ParticleError> {
+    let lower = std::array::from_fn(|axis| if axis == 0 { low } else { 0.0 });
+    let upper = std::array::from_fn(|axis| if axis == 0 { high } else { WIDTH });
+    Ok(Domain::new(lower, upper, std::array::from_fn(|axis| axis > 0))?)
 }
 
 const TUBE: Tube = Tube { interface: INTERFACE, width: WIDTH, density: DENSITY };

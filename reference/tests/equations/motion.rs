@@ -159,7 +159,7 @@ fn as_printed<const D: usize>(gas: &Gas<D>, a: usize, count: usize, viscosity: &
 }
 
 fn sweep_is_as_printed<const D: usize>(viscosity: Viscosity, grad_h: GradH) {
-    let set = Recipe { mass_spread: 2.0, ..Recipe::unequal::<D>(71) }.particles::<D>(true);
+    let set = Recipe::unequal::<D>(71).particles::<D>(true);
     let dissipation = viscosity.dissipation;
     let physics = Physics { viscosity, ..physics(dissipation, grad_h) };
     let mut engine = PlainEngine::<f64, D>::new(&set);

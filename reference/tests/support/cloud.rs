@@ -1,7 +1,7 @@
 //! Disordered particles, made to measure.
 
 use etalon_reference::domain::Domain;
-use etalon_reference::equations::reconstruction::support_volume;
+use etalon_reference::equations::reconstruction::smoothing_length_holding;
 use etalon_reference::particles::{Particle, ParticleSet};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -36,7 +36,7 @@ impl Recipe {
 
     /// The smoothing length in the middle of the range.
     pub fn mean_h<const D: usize>(&self) -> f64 {
-        (self.neighbours / support_volume(D, self.support)).powf(1.0 / D as f64) / self.across as f64
+        smoothing_length_holding(self.neighbours, (self.across as f64).powi(-(D as i32)), D, self.support)
     }
 
     /// The particles, in a unit cube that is periodic along all axes or along none. Velocities are within -1 and 1

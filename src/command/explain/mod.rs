@@ -46,12 +46,8 @@ impl Explanation {
         let memory = plan::chosen(backend, precision)?.into_iter().map(|(backend, precision)| {
             (backend, precision, Memory::of::<D>(backend, precision, &pipeline, setup.sod.neighbours))
         });
-        Ok(Explanation {
-            setup,
-            stages: stages::<D>(&pipeline, physics)?,
-            fields: pipeline.fields::<D>(),
-            memory: memory.collect(),
-        })
+        let memory = memory.collect();
+        Ok(Explanation { setup, stages: stages::<D>(&pipeline, physics)?, fields: pipeline.fields::<D>(), memory })
     }
 
     fn numbers(&self) -> usize {

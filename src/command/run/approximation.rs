@@ -7,10 +7,8 @@ use etalon_kernels_gen::polynomials::{
     EXPM1_NEGATIVE, Polynomial, SINC, SINC_4_NORMALISATION, SINC_9_NORMALISATION, SINC_SLOPE_DOUBLE_ERROR,
     SINC_SLOPE_SINGLE_ERROR,
 };
+use etalon_reference::equations::kernels::MIXED_SINC_WEIGHTS;
 use etalon_reference::schemes::Kernel;
-
-/// Shares of the two members in the mixed kernel (Cabezón & García-Senz 2024).
-const SHARE: [f64; 2] = [0.9, 0.1];
 
 /// What a scene's kernels approximate, in the precisions that run.
 pub fn approximations(setup: &Setup, precisions: &[Precision]) -> Vec<KernelApproximation> {
@@ -51,8 +49,8 @@ fn sinc(dimension: usize, precision: Precision) -> [KernelApproximation; 2] {
     // ln and exp keep the digits that 1 + e would lose.
     let power = |n: f64| (n * error.ln_1p()).exp_m1();
     let weights = [
-        SHARE[0] * SINC_4_NORMALISATION[dimension - 1].value(),
-        SHARE[1] * SINC_9_NORMALISATION[dimension - 1].value(),
+        MIXED_SINC_WEIGHTS[0].times(SINC_4_NORMALISATION[dimension - 1]).value(),
+        MIXED_SINC_WEIGHTS[1].times(SINC_9_NORMALISATION[dimension - 1]).value(),
     ];
     let value = (weights[0] * power(4.0) + weights[1] * power(9.0)) / (weights[0] + weights[1]);
     let degree = 2 * terms(&SINC, precision);

@@ -9,11 +9,12 @@ use crate::command::arguments::RunArguments;
 use crate::command::choices::{Backend, Precision, Start};
 use crate::command::failure::Failure;
 use crate::command::machine;
-use crate::command::setup::Setup;
+use crate::command::setup::{Setup, quoted};
 use crate::fma_peak::FmaPeak;
 use crate::report::model::{self, Field, Machine, NormRange, Run, Scene, Setting};
-use crate::report::{Column, Particles, Report, utc_now};
+use crate::report::{Column, Particles, Report, plain, utc_now};
 use etalon_kernels_gen::lanes::level_name;
+use etalon_reference::equations::time_step::COURANT;
 use etalon_reference::scenes::sod;
 use etalon_reference::schemes::Kernel;
 use fearless_simd::Level;
@@ -81,12 +82,6 @@ fn command(of: &Circumstances) -> String {
     text
 }
 
-/// As a shell takes it for one word.
-fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
-    if !word.is_empty() && word.chars().all(plain) { word.into() } else { format!("'{}'", word.replace('\'', "'\\''")) }
-}
-
 fn scene(of: &Circumstances) -> Scene {
     let sod = &of.setup.sod;
     let setting = |name: &str, value: String| Setting { name: name.into(), value };
@@ -96,7 +91,7 @@ fn scene(of: &Circumstances) -> Scene {
         setting("Pressure, left and right", format!("{}, {}", sod::PRESSURE[0], sod::PRESSURE[1])),
         setting("Dissipation", of.setup.coefficients()),
         setting("Grad-h factor", sod.grad_h.to_string()),
-        setting("Time integration", "kick, drift, kick; Courant number 0.2 on h/c".into()),
+        setting("Time integration", format!("kick, drift, kick; Courant number {} on h/c", plain(0.5 * COURANT))),
     ];
     if let Some(bytes) = machine::peak_memory() {
         let mut text = format!("{:.0} MiB", bytes as f64 / f64::from(1 << 20));
@@ -116,11 +111,16 @@ fn scene(of: &Circumstances) -> Scene {
         scheme: sod.dissipation.name().into(),
         gamma: sod.gamma,
         end_time: of.setup.end_time,
-        arrangement: start.map_or("lattice", |start| start.name()).into(),
+        arrangement: match &of.setup.start_file {
+            Some(_) => "file".into(),
+            None => start.map_or("lattice", |start| start.name()).into(),
+        },
         discontinuity: match sod.smoothed {
-            true => {
-                "pressure smoothed over 0.01 (GS25, Eq. 21), while the exact solution is that of the sharp start".into()
-            }
+            _ if of.setup.start_file.is_some() => "as in the file".into(),
+            true => format!(
+                "pressure smoothed over {} (GS25, Eq. 21), while the exact solution is that of the sharp start",
+                sod::SMOOTHING_WIDTH
+            ),
             false => "sharp".into(),
         },
         boundaries: match of.setup.dimension {

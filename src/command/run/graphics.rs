@@ -41,7 +41,7 @@ impl Graphics {
     ) -> Result<Finished, Failure> {
         let device = self.device.clone().map_err(Failure::BadInput)?;
         let fields = etalon_reference::pipeline::Pipeline::of_scene::<D>(&task.physics).fields::<D>();
-        task.simulate(etalon_wgpu::WgpuEngine::<D>::new(set, &fields, device)?, set, progress)
+        task.simulate(etalon_wgpu::WgpuEngine::<D>::new(set, &fields, device)?, set.domain(), progress)
     }
 }
 

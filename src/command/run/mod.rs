@@ -47,7 +47,9 @@ use progress::{Progress, note};
 use sensitivity::Sensitivity;
 use simulate::{Finished, Task};
 use state::State;
+use std::iter::repeat_n;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 pub use timed::{Clocked, Timed};
 
@@ -68,7 +70,7 @@ pub fn run(arguments: &RunArguments) -> Result<Done, Failure> {
     report::check_destination(&folder)?;
     let pool = setup::threads(arguments.threads)?;
     let session = Session { setup, plan, level, arguments, folder: &folder };
-    pool.install(|| match setup.dimension {
+    pool.install(|| match session.setup.dimension {
         1 => session.run::<1>(),
         2 => session.run::<2>(),
         _ => session.run::<3>(),
@@ -104,6 +106,7 @@ impl Session<'_> {
         let graphics = self.graphics()?;
 
         let set = self.particles::<D>()?;
+        let particles = set.len();
         let task = Task {
             physics: self.setup.sod.physics(),
             end_time: self.setup.end_time,
@@ -114,9 +117,11 @@ impl Session<'_> {
         let peak = fma_peak::measure(self.level);
 
         let mut baseline: Option<Baseline> = None;
-        let mut kept: Option<State> = None;
+        let mut kept: Option<Arc<State>> = None;
         let mut runs = Vec::new();
-        for &combination in &self.plan.combinations {
+        // The last run gets the set itself and frees it.
+        let combinations = &self.plan.combinations;
+        for (&combination, set) in combinations.iter().zip(repeat_n(Arc::new(set), combinations.len())) {
             let (backend, precision) = combination;
             if let (Backend::Wgpu, Some(reason)) = (backend, graphics.absent()) {
                 note(&format!("{} skipped: {reason}", label(combination)));
@@ -124,9 +129,10 @@ impl Session<'_> {
                 continue;
             }
             let progress = Progress::new(&label(combination), self.setup.end_time, true);
-            let finished = task.run(combination, &set, &graphics, progress)?;
+            let initial = (combination == REFERENCE).then(|| set.clone());
+            let finished = task.run(combination, set, &graphics, progress)?;
             let reference = baseline.as_ref().filter(|_| combination != REFERENCE);
-            let mut measured = self.measure(combination, &finished, reference, set.len(), peak)?;
+            let mut measured = self.measure(combination, &finished, reference, particles, peak)?;
             measured.bytes_per_particle = memory(combination);
             measured.discretisation_error = compare::discretisation(&finished.state, &exact)?;
             measured.conservation = compare::conservation(&finished, D);
@@ -135,13 +141,13 @@ impl Session<'_> {
             if let Some((reference, sensitivity)) = reference.and_then(|r| Some((r, judge(r)?))) {
                 measured.arithmetic_difference = compare::arithmetic(&finished, &reference.finished, &sensitivity)?;
             }
-            let beside = reference.map(|reference| &reference.finished.state);
+            let beside = reference.map(|reference| reference.finished.state.as_ref());
             measured.profile = compare::profile(&finished.state, &task.mobile, &exact, beside);
             runs.push(Run::ran(backend.name(), precision.name(), measured));
             if kept.is_none() || combination == (Backend::Simd, Precision::Double) {
-                kept = Some(finished.state.clone());
+                kept = Some(Arc::clone(&finished.state));
             }
-            if combination == REFERENCE {
+            if let Some(set) = initial {
                 baseline = Some(self.baseline(&task, &set, finished)?);
             }
         }
@@ -153,11 +159,11 @@ impl Session<'_> {
             graphics: &graphics,
             level: self.level,
             peak,
-            particles: set.len(),
+            particles,
             exact: &exact,
             runs,
         });
-        self.finish(&report, kept.as_ref())
+        self.finish(&report, kept.as_deref())
     }
 
     /// The adapter, if one is needed; an error if it was asked for and is not there.
@@ -172,6 +178,11 @@ impl Session<'_> {
 
     /// The initial particles; a glass is relaxed on the vector engine.
     fn particles<const D: usize>(&self) -> Result<ParticleSet<D>, Failure> {
+        if let Some(file) = &self.setup.start_file {
+            let given = self.setup.sod.particles_given(file.particles::<D>());
+            return given
+                .map_err(|error| Failure::BadInput(format!("--start-file {}: {error}", file.path().display())));
+        }
         let options = Options { level: self.level };
         let physics = self.setup.sod.physics();
         Ok(self.setup.sod.particles::<D>(|across| {

@@ -76,7 +76,7 @@ impl Sensitivity {
         };
         let label = format!("reference f64, rounded like {precision} at random");
         let engine = Timed::new(Noisy::new(PlainEngine::<f64, D>::new(set), noise));
-        let noisy = task.simulate(engine, set, Progress::new(&label, task.end_time, shown))?;
+        let noisy = task.simulate(engine, set.domain(), Progress::new(&label, task.end_time, shown))?;
         let mut response = [0.0; 4];
         let pairs = reference.state.compared().into_iter().zip(noisy.state.compared());
         for (k, ((a, b), scale)) in pairs.zip(scales(reference)).enumerate() {

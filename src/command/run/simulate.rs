@@ -8,6 +8,7 @@ use crate::command::choices::{Backend, Precision};
 use crate::command::failure::Failure;
 use crate::command::run::graphics::Graphics;
 use crate::report::model::Stage;
+use etalon_reference::domain::Domain;
 use etalon_reference::engine::{Engine, EngineError, PlainEngine};
 use etalon_reference::particles::ParticleSet;
 use etalon_reference::passes::Physics;
@@ -15,6 +16,7 @@ use etalon_reference::pipeline::Pipeline;
 use etalon_reference::simulation::Simulation;
 use etalon_simd::{LaneEngine, Options};
 use fearless_simd::Level;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// What every run of a scene has in common.
@@ -31,8 +33,8 @@ pub struct Task {
 
 /// A simulation that reached its end.
 pub struct Finished {
-    /// The particles at the end.
-    pub state: State,
+    /// The particles at the end; shared, for several may keep them.
+    pub state: Arc<State>,
     /// Sums at the start.
     pub start: Totals,
     /// Sums at the end.
@@ -48,30 +50,32 @@ pub struct Finished {
 }
 
 impl Task {
-    /// Runs the particles on the backend of a combination.
+    /// Runs the particles on the backend of a combination. An engine has its own copy of them: the set is let go before the first step,
+    /// and its memory is free again if nobody else holds it.
     pub fn run<const D: usize>(
         &self,
         combination: Combination,
-        set: &ParticleSet<D>,
+        set: Arc<ParticleSet<D>>,
         graphics: &Graphics,
         progress: Progress,
     ) -> Result<Finished, Failure> {
         let fields = Pipeline::of_scene::<D>(&self.physics).fields::<D>();
         let options = Options { level: self.level };
+        let domain = *set.domain();
         match combination {
             (Backend::Reference, Precision::Double) => {
-                self.simulate(Timed::new(PlainEngine::<f64, D>::new(set)), set, progress)
+                self.simulate(Timed::new(made(set, PlainEngine::<f64, D>::new)), &domain, progress)
             }
             (Backend::Reference, Precision::Single) => {
-                self.simulate(Timed::new(PlainEngine::<f32, D>::new(set)), set, progress)
+                self.simulate(Timed::new(made(set, PlainEngine::<f32, D>::new)), &domain, progress)
             }
             (Backend::Simd, Precision::Double) => {
-                self.simulate(LaneEngine::<f64, D>::new(set, &fields, options), set, progress)
+                self.simulate(made(set, |set| LaneEngine::<f64, D>::new(set, &fields, options)), &domain, progress)
             }
             (Backend::Simd, Precision::Single) => {
-                self.simulate(LaneEngine::<f32, D>::new(set, &fields, options), set, progress)
+                self.simulate(made(set, |set| LaneEngine::<f32, D>::new(set, &fields, options)), &domain, progress)
             }
-            (Backend::Wgpu, _) => graphics.run(self, set, progress),
+            (Backend::Wgpu, _) => graphics.run(self, &set, progress),
         }
     }
 
@@ -79,7 +83,7 @@ impl Task {
     pub fn simulate<const D: usize, E: Engine<D> + Clocked>(
         &self,
         engine: E,
-        set: &ParticleSet<D>,
+        domain: &Domain<D>,
         mut progress: Progress,
     ) -> Result<Finished, Failure> {
         let label = progress.label().to_string();
@@ -92,8 +96,10 @@ impl Task {
         let wall_seconds = clock.elapsed().as_secs_f64();
         progress.done(wall_seconds);
         let stages = simulation.engine().stages().map_err(wrong)?;
+        // The results take the place of what the last step needed.
+        simulation.engine().forget_neighbours();
         Ok(Finished {
-            state: State::read(simulation.engine(), set.domain()).map_err(wrong)?,
+            state: Arc::new(State::read(simulation.engine(), domain).map_err(wrong)?),
             end: Totals::read(simulation.engine(), &self.mobile).map_err(wrong)?,
             start,
             steps: simulation.steps(),
@@ -102,4 +108,9 @@ impl Task {
             stages,
         })
     }
+}
+
+/// The engine made from a set, which is let go.
+fn made<const D: usize, E>(set: Arc<ParticleSet<D>>, make: impl FnOnce(&ParticleSet<D>) -> E) -> E {
+    make(&set)
 }

@@ -68,4 +68,7 @@ impl<const D: usize, E: Engine<D>, A: Around<E>> Engine<D> for Wrapped<E, A> {
     fn coordinates(&mut self, axis: usize) -> Result<Vec<u64>, EngineError> {
         self.engine.coordinates(axis)
     }
+    fn forget_neighbours(&mut self) {
+        self.engine.forget_neighbours();
+    }
 }
