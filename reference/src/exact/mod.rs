@@ -4,4 +4,7 @@ pub mod dust;
 pub mod dustybox;
 pub mod dustyshock;
 pub mod dustywave;
+pub mod noh;
+pub mod radial;
 pub mod riemann;
+pub mod sedov;
