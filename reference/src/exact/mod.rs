@@ -4,6 +4,7 @@ pub mod dust;
 pub mod dustybox;
 pub mod dustyshock;
 pub mod dustywave;
+pub mod finite_volume;
 pub mod noh;
 pub mod radial;
 pub mod riemann;

@@ -129,10 +129,16 @@ impl Sod {
     }
 
     fn pressure(&self, side: usize, x: f64) -> f64 {
+        if self.smoothed { self.pressure_at(x) } else { PRESSURE[side] }
+    }
+
+    /// The initial pressure at a place: a jump, or GS25 (21).
+    pub fn pressure_at(&self, x: f64) -> f64 {
         let [left, right] = PRESSURE;
         match self.smoothed {
             true => smoothed_pressure(x, INTERFACE, SMOOTHING_WIDTH, 0.5 * (left - right), 0.5 * (left + right)),
-            false => PRESSURE[side],
+            false if x < INTERFACE => left,
+            false => right,
         }
     }
 

