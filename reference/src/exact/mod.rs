@@ -6,6 +6,7 @@ pub mod dustyshock;
 pub mod dustywave;
 pub mod finite_volume;
 pub mod noh;
+pub mod outgoing_wave;
 pub mod radial;
 pub mod riemann;
 pub mod sedov;
