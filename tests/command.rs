@@ -217,6 +217,13 @@ fn the_explanation_names_fields_symbols_units_and_work() {
         assert!(text.contains(part), "{part} is missing:\n{text}");
     }
     assert!(!text.contains("wgpu") && !text.contains('\\'), "{text}");
+    // Symbols with indices, of fields that only some schemes have.
+    let output = place.etalon(&["explain", "sod", "--scheme", "AVSW", "--conduction", "--backend", "simd"]);
+    let text = stdout(&output);
+    for part in ["local_alpha α_loc", "I_∇·v"] {
+        assert!(text.contains(part), "{part} is missing:\n{text}");
+    }
+    assert!(!text.contains('\\'), "{text}");
 }
 
 #[test]

@@ -20,7 +20,7 @@ mod translate;
 
 use arguments::Arguments;
 use errors::Errors;
-pub use mutants::Place;
+pub use mutants::{Mutant, Place};
 use proc_macro2::{Span, TokenStream};
 use syn::ItemFn;
 
@@ -86,6 +86,22 @@ pub fn expand_part(item: TokenStream, around: &Surroundings) -> TokenStream {
         Ok(()) => emit::part(function, planted),
         Err(error) => error.to_compile_error(),
     }
+}
+
+/// The faults that a function gets where it is to carry them, an equation or a part of equations; number 1 first.
+///
+/// For who reads the source and does not compile it. `place_of` says where a token stands.
+///
+/// # Errors
+/// All errors of the function's body, combined.
+pub fn mutants(item: TokenStream, place_of: &dyn Fn(Span) -> Place) -> syn::Result<Vec<Mutant>> {
+    let mut function = parse(item)?;
+    let mut errors = Errors::default();
+    let reals = signature::real_parameters(&function.sig.generics);
+    let mutants = Some(mutants::Mutants::new(place_of));
+    let planted = reals.first().and_then(|real| translate::body(&mut function, real, &mut errors, mutants));
+    errors.finish()?;
+    Ok(planted.map_or_else(Vec::new, |planted| planted.list))
 }
 
 fn parse(item: TokenStream) -> syn::Result<ItemFn> {

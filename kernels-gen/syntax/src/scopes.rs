@@ -39,18 +39,23 @@ struct Scope {
 /// The names in sight, innermost scope last.
 pub(crate) struct Scopes {
     real: Ident,
+    /// Whole numbers that the function is generic over.
+    sizes: Vec<Ident>,
     stack: Vec<Scope>,
 }
 
 impl Scopes {
     /// The scope of a function's parameters.
     pub(crate) fn of_function(signature: &Signature, real: &Ident) -> Self {
-        let mut scopes = Scopes { real: real.clone(), stack: Vec::new() };
+        let mut scopes = Scopes { real: real.clone(), sizes: Vec::new(), stack: Vec::new() };
         scopes.open(Boundary::Plain);
         for parameter in &signature.generics.params {
             if let GenericParam::Const(parameter) = parameter {
                 let kind = scopes.kind_of_type(&parameter.ty);
                 scopes.bind(&parameter.ident, kind);
+                if kind == Kind::Integer {
+                    scopes.sizes.push(parameter.ident.clone());
+                }
             }
         }
         for input in &signature.inputs {
@@ -64,6 +69,11 @@ impl Scopes {
 
     pub(crate) fn real(&self) -> &Ident {
         &self.real
+    }
+
+    /// Whole numbers that the function is generic over, such as the dimension.
+    pub(crate) fn sizes(&self) -> &[Ident] {
+        &self.sizes
     }
 
     pub(crate) fn open(&mut self, boundary: Boundary) {

@@ -1,6 +1,6 @@
 //! Which faults each construct can be given: snapshots of the list, and of one translation with them in it.
 
-use etalon_equation_syntax::{Place, Surroundings, expand_part, translate};
+use etalon_equation_syntax::{Place, Surroundings, expand_part, mutants, translate};
 use syn::visit::Visit;
 
 fn with_mutants(function: &str) -> syn::File {
@@ -65,6 +65,8 @@ macro_rules! snapshots {
 snapshots! {
     arithmetic: "let mut s = x + y; s -= x * y / x; s = s - (-x); g(n + 1, 2 * n)";
     constants: "g(0.5, 0.0, -2.0) * R::lit(FLOOR.0 * TABLE[D - 1] / PI + D as f64 - v.x) + x.power(3) + y.power(D as u32) + R::zero()";
+    exact_constants: "R::constant(THIRD) * x + R::constant(TABLE[D - 1]) * y";
+    arms: "let z = match way { Way::Up => x, Way::Down | Way::Back => -x, Way::Other(n) if n > 1 => y, _ => y }; match D { 1 => z, 2 => z, _ => y }";
     methods: "x.min(y.abs()).max(0.0).sqrt() + v.scale(x).norm() + x.mul_add(y, 1.0) + x.power(n)";
     arguments: "g(x, y, n, 3) + h(|i| v[i], x) + R::pick(known, x, y) + x.thrice(y, v)";
     comparisons: "let m = x < y && !(x >= 0.0) || known; g(m, x.lt(y))";
@@ -89,4 +91,19 @@ fn a_part_is_left_alone() {
     let place_of = |_| Place::default();
     let with = expand_part(tokens, &Surroundings { mutants: Some(&place_of), ..Surroundings::NONE }).to_string();
     assert!(with.contains("ETALON_MUTANTS . is (4u32)") && !with.contains(":: equation"), "{with}");
+}
+
+/// The list by itself is the one that the translation carries; what is generic over nothing has none.
+#[test]
+fn the_list_can_be_had_without_the_translation() {
+    let text = function("let z = if x < y { x } else { y }; z + 0.5 * x");
+    let mut carried = List::default();
+    carried.visit_file(&with_mutants(&text));
+    let place_of = |_| Place { line: 1, column: 1 };
+    let list = mutants(text.parse().expect("tokens"), &place_of).expect("accepted");
+    let list: Vec<_> = list.iter().map(|m| format!("{}: {} → {}", m.operator, m.original, m.mutated)).collect();
+    assert!(list.len() > 5);
+    assert_eq!(list, carried.0);
+    let host = "fn mean(values: &[f64]) -> f64 { values.iter().sum::<f64>() / 2.0 }";
+    assert_eq!(mutants(host.parse().expect("tokens"), &place_of).expect("accepted"), []);
 }

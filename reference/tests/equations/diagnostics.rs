@@ -18,7 +18,10 @@ fn signs_are_compared_without_a_product() {
     for tiny in [1.0, 1e-200, 1e-308] {
         assert_eq!((sign_is_reversed(tiny, -tiny), sign_is_reversed(-tiny, tiny)), (1.0, 1.0));
         assert_eq!((sign_is_reversed(tiny, tiny), sign_is_reversed(-tiny, -tiny)), (0.0, 0.0));
-        assert_eq!((sign_is_reversed(tiny, 0.0), sign_is_reversed(0.0, -tiny)), (0.0, 0.0));
+        for size in [tiny, -tiny] {
+            let with_zero = (sign_is_reversed(size, 0.0), sign_is_reversed(0.0, size));
+            assert_eq!(with_zero, (0.0, 0.0), "nothing has no sign to be opposite to");
+        }
     }
 }
 

@@ -217,6 +217,11 @@ fn no_drag_and_near_vacuum_are_harmless() {
         assert_eq!((tiny * tiny).to_f64(), 0.0);
         assert_eq!(drag_weight::<T, 3>(drag_rate(tiny, tiny), tiny / tiny, T::one()).to_f64(), 3.0);
         assert_eq!(stopping_time(stopping_rate(tiny, tiny, tiny)).to_f64(), 0.5);
+        // The volume meets D first: a large rate of drag times a large D would be infinite.
+        let large = T::one() / tiny;
+        assert!(!(large * large).to_f64().is_finite());
+        let weight = drag_weight::<T, 1>(large, tiny, large).to_f64();
+        assert_close("weight", weight, large.to_f64(), gamma(4, T::UNIT) * large.to_f64());
     }
     check::<f64>(1e-200);
     check::<f32>(1e-30);

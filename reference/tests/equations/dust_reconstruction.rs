@@ -6,6 +6,7 @@ use crate::hard_inputs::Domain::{Any, NotNegative, Positive};
 use crate::hard_inputs::try_all;
 use etalon_kernels_gen::{Matrix, Symmetric, Vector};
 use etalon_reference::equations::dust_reconstruction::*;
+use etalon_reference::equations::gradients::{gradient, inverse_moments};
 use etalon_reference::equations::kernels::kernel_shape;
 use etalon_reference::schemes::{CommonPoint, DragReconstruction, Kernel, SlopeLimiter};
 use rand::{RngExt, SeedableRng};
@@ -135,7 +136,8 @@ fn the_printed_common_point_is_two_points_outside_of_the_pair() {
     assert_eq!((1.0 + from_a, 0.0 + from_i), (1.8, -0.2));
     let (from_a, from_i) = common_point(CommonPoint::Barycentre, 0.8, 0.2);
     assert_eq!((1.0 + from_a, 0.0 + from_i), (0.8, 0.8));
-    assert_eq!(common_point(CommonPoint::Particles, 0.8, 0.2), (0.0, 0.0));
+    let nowhere = common_point(CommonPoint::Particles, 0.8, 0.2);
+    assert_eq!([nowhere.0, nowhere.1].map(f64::to_bits), [0; 2], "nothing, without a sign");
 }
 
 #[test]
@@ -147,8 +149,18 @@ fn entropy_fix_takes_the_raw_velocity_where_the_signs_differ() {
         (-2.0, -5.0, -2.0),
         (-2.0, 5.0, 5.0),
         (2.0, -5.0, -5.0),
+        (-0.5, 2.0, 2.0),
+        (0.5, -2.0, -2.0),
+        (-2.0, 0.5, 0.5),
+        (2.0, -0.5, -0.5),
+        (0.5, 0.25, 0.5),
+        (-0.5, -0.25, -0.5),
+        (-0.25, -0.5, -0.25),
+        // Zero has no sign to differ.
         (0.0, 5.0, 0.0),
+        (0.0, -5.0, 0.0),
         (3.0, 0.0, 3.0),
+        (-3.0, 0.0, -3.0),
     ] {
         assert_eq!(entropy_fixed(star, raw, 0.0), due, "{star} for {raw}");
     }
@@ -158,6 +170,10 @@ fn entropy_fix_takes_the_raw_velocity_where_the_signs_differ() {
     assert_eq!(entropy_fixed(-12.0, -5.0, 1.0), -5.0);
     // Half of 12 leaves -1.
     assert_eq!(entropy_fixed(12.0, 5.0, 0.5), 12.0);
+    // A little less than twice the difference, just that, a little more: only the last gains energy.
+    for (star, due) in [(9.95, 9.95), (10.0, 10.0), (10.05, 5.0)] {
+        assert_eq!((entropy_fixed(star, 5.0, 1.0), entropy_fixed(-star, -5.0, 1.0)), (due, -due), "{star}");
+    }
 }
 
 /// Neighbours around a particle: masses, separations `r_b - r_a`, and `(dW/dr) / r` without the powers of `h`.
@@ -270,6 +286,40 @@ fn gradient_fades_as_the_neighbourhood_gets_flat() {
     for pair in shares.windows(2) {
         assert!(pair[1] >= pair[0] - gamma(20, UNIT) && pair[1] - pair[0] < 0.0045, "{} to {}", pair[0], pair[1]);
     }
+}
+
+/// Between the two qualities the share is `q / 5e-4 - 1`, with `q = det(nu R / tr R)`.
+#[test]
+fn gradient_has_the_share_that_its_neighbourhood_deserves() {
+    fn check<const D: usize>(quality: impl Fn(f64) -> f64, thicknesses: [f64; 3]) {
+        for thickness in thicknesses {
+            // The identity but for the last axis.
+            let correction = Symmetric::<f64, D>::from_fn(|i, j| match (i == j, i == D - 1) {
+                (false, _) => 0.0,
+                (true, last) => {
+                    if last {
+                        thickness
+                    } else {
+                        1.0
+                    }
+                }
+            });
+            let sum = Matrix::<f64, D>::from_fn(|i, j| 1.0 + (i + 2 * j) as f64);
+            let share = quality(thickness) / 5e-4 - 1.0;
+            assert!((0.05..0.95).contains(&share), "{share}: a thickness that would not tell");
+            let whole = gradient(sum, inverse_moments(correction));
+            let got = linear_gradient(sum, correction);
+            for (i, j) in (0..D).flat_map(|i| (0..D).map(move |j| (i, j))) {
+                let due = share * whole.0[i][j];
+                // The quality, at most twice 5e-4, has some eight roundings on each side, the product two.
+                let bound = gamma(20, UNIT) * 2.0 * whole.0[i][j].abs();
+                assert_close(&format!("dv_{i}/dx_{j} in {D}-D"), got.0[i][j], due, bound);
+            }
+        }
+    }
+    // 4 t / (1 + t)^2 and 27 t / (2 + t)^3.
+    check::<2>(|t| 4.0 * t / (1.0 + t).powi(2), [1.4e-4, 1.8e-4, 2.3e-4]);
+    check::<3>(|t| 27.0 * t / (2.0 + t).powi(3), [1.6e-4, 2.1e-4, 2.8e-4]);
 }
 
 /// With all its factors the correction matrix tends to the density times the unit matrix: the sign of `grad W` and its powers of `h`.

@@ -67,6 +67,11 @@ fn vortex_turns_counterclockwise_and_is_still_on_its_axis() {
     assert_close("P", state.pressure, 5.125, 20.0 * UNIT);
     assert_eq!(state.density, 1.0);
     assert_eq!(gresho_chan::<f64, 2>(Vector([0.0, -0.2])).velocity.0, [1.0, 0.0]);
+    // psi = 3/2, along (-0.6, 0.8); and beyond psi = 2 nothing.
+    for (got, due) in at(0.24, 0.18).velocity.0.into_iter().zip([-0.3, 0.4, 0.0]) {
+        assert_close("v", got, due, 6.0 * UNIT);
+    }
+    assert_eq!(at(0.3, 0.3).velocity.0, [0.0; 3]);
 }
 
 /// The four exponentials of McNally et al., zone by zone.
@@ -122,6 +127,24 @@ fn contact_is_sharp_or_smooth() {
         assert!((1.0..=2.0).contains(&smooth.density));
     }
     assert!((at(0.26, Contact::Smooth).density - 2.0).abs() > 0.3, "the readings differ near the interface");
+    // The interfaces belong to the middle layer, and stand where they should.
+    for (y, due) in [(0.249, 1.0), (0.25, 2.0), (0.251, 2.0), (0.749, 2.0), (0.75, 2.0), (0.751, 1.0)] {
+        assert_eq!(at(y, Contact::Sharp).density, due, "y = {y}");
+    }
+}
+
+/// The flow along the layers, zone by zone: 1/2 outside, -1/2 inside, with the width of 0.025.
+#[test]
+fn layers_slide_past_each_other() {
+    for (y, side, distance) in
+        [(0.0, 1.0, 0.25), (0.24, 1.0, 0.01), (0.27, -1.0, 0.02), (0.5, -1.0, 0.25), (0.78, 1.0, 0.03)]
+    {
+        let got = kelvin_helmholtz::<f64, 2>(Vector([0.125, y]), Contact::Sharp).velocity.0;
+        let due = side * (0.5 - 0.5 * (-distance / 0.025_f64).exp());
+        // As in `layers_are_those_of_mcnally`.
+        assert_close(&format!("v_x at {y}"), got[0], due, 30.0 * UNIT);
+        assert_eq!(got[1], 0.01);
+    }
 }
 
 /// (25) zone by zone as it is printed, its middle line with both offsets.
@@ -199,6 +222,25 @@ fn plume_seed_is_as_printed_and_never_negative() {
     // Momentum per area and energy of the box of depth 0.1: integrals of products of cosines, exact by the midpoint rule.
     assert_close("momentum", sum, 1.5 * dv * delta, 1e-12);
     assert_close("energy", energy, 0.5 * 1.5 * (1.5 * dv).powi(2) * delta * 0.1, 1e-12);
+}
+
+/// The state at a place has the seed of (26) across the layers and no other velocity; the interface belongs to the upper layer.
+#[test]
+fn plume_rises_across_the_layers() {
+    for (x, y) in [(0.25, 0.9), (0.7, 1.05), (0.4, 1.15)] {
+        let due = 0.025 * (1.0 - (TAU * x).cos()) * (1.0 + (TAU * (y - 1.0) / 0.4).cos());
+        // As in `plume_seed_is_as_printed_and_never_negative`.
+        let bound = 0.025 * 4.0 * (4.0 + 3.0 * TAU) * UNIT;
+        assert!(due > 100.0 * bound, "a place that would not tell");
+        for balance in [Balance::Hydrostatic, Balance::Printed] {
+            let velocity = rayleigh_taylor::<f64, 3>(Vector([x, y, 0.3]), balance).velocity.0;
+            assert_eq!((velocity[0], velocity[2]), (0.0, 0.0));
+            assert_close(&format!("v_y at {x}, {y}"), velocity[1], due, bound);
+        }
+    }
+    for (y, due) in [(0.999, 1.0), (1.0, 2.0), (1.001, 2.0)] {
+        assert_eq!(rayleigh_taylor::<f64, 2>(Vector([0.5, y]), Balance::Hydrostatic).density, due, "y = {y}");
+    }
 }
 
 #[test]

@@ -115,3 +115,22 @@ fn limiters_survive_subnormal_slopes() {
         assert!(limited_slope(limiter, tiny, 1.0) <= 2.0 * tiny, "{limiter}");
     }
 }
+
+/// By itself: whatever the size, zero has no sign in common with anything.
+#[test]
+fn a_size_gets_the_sign_that_both_slopes_have() {
+    for (a, b, due) in [
+        (2.0, 5.0, 3.0),
+        (-2.0, -5.0, -3.0),
+        (2.0, -5.0, 0.0),
+        (2.0, 0.0, 0.0),
+        (2.0, -0.0, 0.0),
+        (-2.0, 0.0, 0.0),
+        (-2.0, -0.0, 0.0),
+        (0.0, -0.0, 0.0),
+        (2.0, f64::NAN, 0.0),
+        (-2.0, f64::NAN, 0.0),
+    ] {
+        assert_eq!((with_common_sign(3.0, a, b), with_common_sign(3.0, b, a)), (due, due), "{a}, {b}");
+    }
+}

@@ -99,6 +99,20 @@ fn coefficient_stays_in_its_range() {
     assert!(overshoots > 1000, "steps longer than tau were tried: {overshoots}");
 }
 
+/// Gas that neither moves nor has a temperature does not decay: `alpha_* + (alpha - alpha_*)`, which two roundings can take out of the range.
+#[test]
+fn rounding_does_not_leave_the_range() {
+    let at = |alpha_min: f64, largest: f64, alpha: f64, local: f64| {
+        decayed_coefficient(&Viscosity { alpha: largest, alpha_min, ..USUAL }, alpha, local, 0.0, 1.0)
+    };
+    let rounded = |alpha: f64, target: f64| (alpha - target) + target;
+    assert!(rounded(0.3, 0.03) > 0.3 && rounded(0.01, 0.1) < 0.01, "numbers that would not tell");
+    assert_eq!(at(0.01, 0.3, 0.3, 0.03), 0.3);
+    assert_eq!(at(0.01, 0.3, 0.01, 0.1), 0.01);
+    // And what was out of it before is brought back.
+    assert_eq!((at(0.25, 2.0, 0.125, 0.0), at(0.25, 2.0, 3.0, 0.0)), (0.25, 2.0));
+}
+
 /// Where the flow asks for the smallest coefficient the two branches agree; where it asks for what there is, nothing changes.
 #[test]
 fn branches_meet() {

@@ -44,6 +44,12 @@ pub enum Error {
         /// What it said.
         what: String,
     },
+    /// What is compiled is not what is read.
+    #[error(
+        "the test program has other mutants than the source: is an equation made by a macro, or hidden from some builds? \
+         Write it out"
+    )]
+    Differs,
     /// No equation has such a name.
     #[error("no equation's path contains {only}: `--list` shows all paths")]
     NothingChosen {

@@ -14,6 +14,7 @@ mod page;
 mod places;
 mod record;
 mod run;
+mod source;
 mod summary;
 
 use arguments::Arguments;
@@ -34,9 +35,7 @@ fn main() -> ExitCode {
 
 /// Whether all is well: every mutant caught or equivalent, and every file as it should be.
 fn work(arguments: &Arguments) -> Result<bool, Error> {
-    let binary = binary::Binary::build()?;
-    let equations = binary.equations()?;
-    let equivalents = equivalent::read()?;
+    let equations = source::equations()?;
     let chosen: Vec<_> = equations.iter().filter(|equation| arguments.wants(&equation.path)).collect();
     if chosen.is_empty() {
         return Err(Error::NothingChosen { only: arguments.only.join(", ") });
@@ -52,9 +51,13 @@ fn work(arguments: &Arguments) -> Result<bool, Error> {
     }
     let mut record = record::Record::read()?;
     if !arguments.check {
+        let binary = binary::Binary::build()?;
+        if binary.equations()? != equations {
+            return Err(Error::Differs);
+        }
         run::run(&binary, &equations, &chosen, arguments, &mut record)?;
     }
-    let summary = summary::Summary::new(&equations, &record, &equivalents);
+    let summary = summary::Summary::new(&equations, &record, &equivalent::read()?, &source::Tests::read()?);
     if arguments.json {
         let text = serde_json::to_string_pretty(&summary).map_err(|e| Error::Unreadable { what: e.to_string() })?;
         println!("{text}");
@@ -73,4 +76,22 @@ fn work(arguments: &Arguments) -> Result<bool, Error> {
         true
     };
     Ok(summary.is_good() && is_current)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As `--check` does. It reads source and record and compiles nothing, so that it can be one of the workspace's tests.
+    #[test]
+    fn every_mutant_is_caught_or_excused_and_the_page_says_so() {
+        let equations = source::equations().unwrap();
+        assert!(equations.len() > 100, "{} equations", equations.len());
+        let record = record::Record::read().unwrap();
+        let tests = source::Tests::read().unwrap();
+        let summary = summary::Summary::new(&equations, &record, &equivalent::read().unwrap(), &tests);
+        assert!(summary.is_good(), "run `cargo run -p etalon-mutants`, see docs/mutants.md:\n{}", summary.text());
+        let is_current = page::is_current(&page::page(&summary)).unwrap();
+        assert!(is_current, "docs/mutants.md is not what the record says: run `cargo run -p etalon-mutants`");
+    }
 }

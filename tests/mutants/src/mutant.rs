@@ -1,4 +1,4 @@
-//! The mutants of the equations, as the test program lists them.
+//! The mutants of the equations.
 
 use crate::error::Error;
 use crate::places;
@@ -6,7 +6,7 @@ use serde::Deserialize;
 use std::collections::HashMap;
 
 /// An equation and its mutants.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Equation {
     /// Module and name, such as `dissipation::pair_viscosity`.
     pub path: String,
@@ -19,7 +19,7 @@ pub struct Equation {
 }
 
 /// One fault.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mutant {
     /// Its number within the equation, from 1.
     pub number: u32,
@@ -40,24 +40,34 @@ struct Listed {
     mutants: Vec<ListedMutant>,
 }
 
-#[derive(Deserialize)]
-struct ListedMutant {
-    operator: String,
-    original: String,
-    mutated: String,
-    line: usize,
+/// One fault as the macro knows it.
+#[derive(Clone, Debug, Deserialize)]
+pub struct ListedMutant {
+    /// What kind of fault.
+    pub operator: String,
+    /// What the author wrote.
+    pub original: String,
+    /// What it becomes.
+    pub mutated: String,
+    /// The line it is on, from 1.
+    pub line: usize,
 }
 
 impl Equation {
-    /// Reads one line of the list.
+    /// Reads one line of the test program's list.
     pub fn parse(line: &str) -> Result<Self, Error> {
         let listed: Listed =
             serde_json::from_str(line).map_err(|error| Error::Unreadable { what: format!("{line}: {error}") })?;
         let path = places::root().join(&listed.file);
         let source = std::fs::read_to_string(&path).map_err(Error::file(path))?;
+        Ok(Equation::new(listed.equation, listed.file, &source, listed.mutants))
+    }
+
+    /// An equation by its full path, in a file with this text.
+    pub fn new(full_path: String, file: String, source: &str, listed: Vec<ListedMutant>) -> Self {
         let lines: Vec<&str> = source.lines().collect();
         let mut seen: HashMap<(usize, String), usize> = HashMap::new();
-        let mutants = listed.mutants.into_iter().zip(1..).map(|(mutant, number)| {
+        let mutants = listed.into_iter().zip(1..).map(|(mutant, number)| {
             let change = format!("{} → {}", mutant.original, mutant.mutated);
             let times = seen.entry((mutant.line, change.clone())).or_default();
             *times += 1;
@@ -66,7 +76,7 @@ impl Equation {
             Mutant { number, operator: mutant.operator, line: mutant.line, code, change }
         });
         let mutants = mutants.collect();
-        Ok(Equation { path: short(&listed.equation), full_path: listed.equation, file: listed.file, mutants })
+        Equation { path: short(&full_path), full_path, file, mutants }
     }
 
     /// Changes when any of its mutants does, so that results of another text are not taken for results of this one.

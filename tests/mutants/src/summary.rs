@@ -4,6 +4,7 @@ use crate::equivalent::Equivalent;
 use crate::judge::Outcome;
 use crate::mutant::Equation;
 use crate::record::Record;
+use crate::source::Tests;
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -59,12 +60,20 @@ pub struct Reason {
 
 impl Summary {
     /// Puts it together.
-    pub fn new(equations: &[Equation], record: &Record, equivalents: &[Equivalent]) -> Self {
+    pub fn new(equations: &[Equation], record: &Record, equivalents: &[Equivalent], there: &Tests) -> Self {
         let mut complaints = Vec::new();
         let mut rows = Vec::new();
         for equation in equations {
             let found = record.equation.get(&equation.path).filter(|found| found.fingerprint == equation.fingerprint());
             let tests = found.map(|found| found.tests.clone()).unwrap_or_default();
+            for test in found.into_iter().flat_map(|found| found.caught.keys().chain(found.timed_out.keys())) {
+                if !there.has(test) {
+                    complaints.push(format!(
+                        "{}: `{test}`, which caught mutants, is no longer there: run the command for this equation",
+                        equation.path
+                    ));
+                }
+            }
             let mut row = Row { path: equation.path.clone(), file: equation.file.clone(), tests, ..Row::default() };
             for mutant in &equation.mutants {
                 let is_listed = equivalents.iter().any(|entry| entry.covers(equation, mutant));

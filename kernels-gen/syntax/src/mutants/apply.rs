@@ -78,6 +78,7 @@ impl Translator<'_> {
             Expr::Cast(_) | Expr::Path(_) | Expr::Field(_) | Expr::Index(_) => {
                 self.mutate_constant(written, translated)
             }
+            Expr::Match(choice) => self.mutate_arms(choice, translated),
             Expr::Struct(_) | Expr::Tuple(_) | Expr::Array(_) => self.mutate_parts(written, translated),
             _ => {}
         }

@@ -48,6 +48,10 @@ impl Translator<'_> {
         if is_lit {
             return;
         }
+        if self.is_exact_constant(call) {
+            self.mutate_exact_constant(written, call.func.span(), translated);
+            return;
+        }
         let function = result.func.to_token_stream();
         let rest = |arguments: &Punctuated<Expr, Token![,]>| {
             let mut other = call.clone();

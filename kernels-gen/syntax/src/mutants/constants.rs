@@ -5,12 +5,16 @@ use super::{Variants, text};
 use crate::scopes::Kind;
 use crate::signature::float_name;
 use crate::translate::Translator;
+use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
-use syn::{Expr, Lit, LitFloat, LitInt};
+use syn::{Expr, ExprCall, Ident, Lit, LitFloat, LitInt};
 
 /// By how much a constant is scaled: little enough to be overlooked, far beyond rounding.
 const SCALE: f64 = 1.01;
+
+/// What a dimension can be.
+const DIMENSIONS: [usize; 3] = [1, 2, 3];
 
 impl Translator<'_> {
     /// `2.0` as `2.02` and `0.0`, `0.0` as `1.0` and `-1.0`, `-2.0` also as `2.0`; `3` as `4` and `2`.
@@ -78,12 +82,60 @@ impl Translator<'_> {
                 let call = quote!(#constant::of(&#value).#name(#value));
                 self.variant(&mut variants, "constant", span, change, call);
             }
+            let scaled = held("scaled");
+            self.scaled_in_one_dimension(&mut variants, written, span, quote!(#constant::of(&#value).#scaled(#value)));
         } else {
             return;
         }
         let choice = variants.or(value.to_token_stream());
         *translated = Expr::Verbatim(quote!(({ let #value = #translated; #choice })));
     }
+}
+
+impl Translator<'_> {
+    /// `R::constant(NAME)`: slightly wrong, or not there.
+    pub(super) fn mutate_exact_constant(&mut self, written: &Expr, span: Span, translated: &mut Expr) {
+        let mut variants = Variants::default();
+        let (value, lit) = (held("value"), self.real_function("lit", span));
+        let scaled = quote!(#lit(#SCALE) * #value);
+        let change = |to: String| (text(written), to);
+        self.variant(&mut variants, "constant", span, change(format!("{SCALE:?} * {}", text(written))), scaled.clone());
+        self.variant(&mut variants, "constant", span, change("0.0".to_string()), quote!(#lit(0.0)));
+        self.scaled_in_one_dimension(&mut variants, written, span, scaled);
+        let choice = variants.or(value.to_token_stream());
+        *translated = Expr::Verbatim(quote!(({ let #value = #translated; #choice })));
+    }
+
+    /// A constant that the dimension decides may be right in some and wrong in one: an entry of a table.
+    fn scaled_in_one_dimension(&mut self, variants: &mut Variants, written: &Expr, span: Span, scaled: TokenStream) {
+        let Some(size) = self.scopes.sizes().iter().find(|size| mentions(written.to_token_stream(), size)).cloned()
+        else {
+            return;
+        };
+        let value = held("value");
+        for dimension in DIMENSIONS {
+            let change = (text(written), format!("{SCALE:?} * {} where {size} = {dimension}", text(written)));
+            let choice = quote!(if #size == #dimension { #scaled } else { #value });
+            self.variant(variants, "constant", span, change, choice);
+        }
+    }
+
+    /// Whether this is `R::constant(..)`.
+    pub(super) fn is_exact_constant(&self, call: &ExprCall) -> bool {
+        let Expr::Path(path) = &*call.func else { return false };
+        let mut segments = path.path.segments.iter().rev();
+        segments.next().is_some_and(|name| name.ident == "constant")
+            && segments.next().is_some_and(|owner| owner.ident == *self.scopes.real())
+    }
+}
+
+/// Whether a name stands anywhere in some tokens.
+fn mentions(tokens: TokenStream, name: &Ident) -> bool {
+    tokens.into_iter().any(|token| match token {
+        TokenTree::Ident(other) => other == *name,
+        TokenTree::Group(group) => mentions(group.stream(), name),
+        _ => false,
+    })
 }
 
 /// A float literal with its sign in front.

@@ -1,11 +1,13 @@
-//! Conditions: turned round, and ignored either way.
+//! Conditions: turned round, and ignored either way. Arms in each other's place.
 
 use super::apply::held;
 use super::{Variants, text};
 use crate::translate::Translator;
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote};
-use syn::Expr;
+use syn::spanned::Spanned;
+use syn::visit::Visit;
+use syn::{Arm, Expr, ExprMatch, Pat, PatIdent};
 
 impl Translator<'_> {
     /// The condition of an `if` on data, a mask: negated, always true, always false.
@@ -44,6 +46,45 @@ impl Translator<'_> {
         let choice = variants.or(name.to_token_stream());
         quote!(({ let #name = #condition; #choice }))
     }
+}
+
+impl Translator<'_> {
+    /// Each arm of a `match` exchanged with the next, where no pattern gives names to what it found.
+    pub(super) fn mutate_arms(&mut self, written: &ExprMatch, translated: &mut Expr) {
+        let Expr::Match(result) = translated else { return };
+        let bodies: Vec<_> = result.arms.iter().map(|arm| arm.body.to_token_stream()).collect();
+        let mut variants: Vec<_> = bodies.iter().map(|_| Variants::default()).collect();
+        for (i, pair) in written.arms.windows(2).enumerate() {
+            let [one, two] = pair else { continue };
+            if !is_plain(one) || !is_plain(two) || text(&one.body) == text(&two.body) {
+                continue;
+            }
+            let [one, two] = [text(&one.pat), text(&two.pat)];
+            let change = (format!("{one} => .., {two} => .."), format!("{two} => .., {one} => .."));
+            let Some(mutants) = &mut self.mutants else { return };
+            let is_active = mutants.enter("swapped", pair[0].pat.span(), change.0, change.1);
+            variants[i].add(is_active.clone(), bodies[i + 1].clone());
+            variants[i + 1].add(is_active, bodies[i].clone());
+        }
+        for ((arm, variants), body) in result.arms.iter_mut().zip(variants).zip(bodies) {
+            *arm.body = Expr::Verbatim(variants.or(body));
+            // An arm may have lost its braces.
+            arm.comma = Some(Default::default());
+        }
+    }
+}
+
+/// Whether an arm has neither a guard nor names of its own.
+fn is_plain(arm: &Arm) -> bool {
+    struct Names(bool);
+    impl<'ast> Visit<'ast> for Names {
+        fn visit_pat_ident(&mut self, _: &'ast PatIdent) {
+            self.0 = true;
+        }
+    }
+    let mut names = Names(false);
+    names.visit_pat(&arm.pat);
+    arm.guard.is_none() && !names.0 && !matches!(arm.pat, Pat::Verbatim(_))
 }
 
 fn has_let(condition: &Expr) -> bool {

@@ -29,14 +29,16 @@ pub struct Place {
 }
 
 /// One fault that can be switched on.
-pub(crate) struct Mutant {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mutant {
     /// What kind of fault.
-    pub(crate) operator: &'static str,
+    pub operator: &'static str,
     /// What the author wrote.
-    pub(crate) original: String,
+    pub original: String,
     /// What it becomes.
-    pub(crate) mutated: String,
-    pub(crate) place: Place,
+    pub mutated: String,
+    /// Where it is.
+    pub place: Place,
 }
 
 /// The mutants of one equation, in order: the first has number 1.

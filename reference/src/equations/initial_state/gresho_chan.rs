@@ -2,7 +2,7 @@
 
 use super::GasState;
 use etalon_kernels_gen::functions::{logarithm, ratio_or_zero};
-use etalon_kernels_gen::{Constant, Real, Vector, equation};
+use etalon_kernels_gen::{Real, Vector, equation};
 
 /// The radius of the largest velocity (GS25 22, where it is printed as `psi = 5 r`).
 pub const RADIUS: f64 = 0.2;
@@ -12,9 +12,6 @@ pub const VELOCITY: f64 = 1.0;
 pub const DENSITY: f64 = 1.0;
 /// The pressure on the axis (GS25 section 3.3).
 pub const CENTRAL_PRESSURE: f64 = 5.0;
-
-/// `ln 2 - 1/2`, what the pressure's shape is beyond the vortex.
-const OUTER_SHAPE: Constant = Constant::LN_2.minus(Constant::new(0.5));
 
 /// The azimuthal velocity, `v_0 psi` to `psi = 1`, `v_0 (2 - psi)` to `psi = 2`, zero beyond; `psi` is the distance from the axis over 0.2.
 ///
@@ -27,14 +24,13 @@ pub fn vortex_velocity<R: Real>(psi: R, largest_velocity: R) -> R {
 /// The pressure that holds the vortex together, `P_0 + 4 rho_0 v_0^2 s` with `s = psi^2/8`, `psi^2/8 - psi + ln psi + 1`, `ln 2 - 1/2` in the
 /// three zones.
 ///
-/// `dP/dr = rho_0 v_phi^2 / r`. The printed form has no `rho_0`, which is one. Source: GS25 (23).
+/// The third is the second at `psi = 2`, where the flow ends. `dP/dr = rho_0 v_phi^2 / r`. The printed form has no `rho_0`, which is one. Source: GS25 (23).
 #[equation("gs25:23")]
 pub fn vortex_pressure<R: Real>(psi: R, central_pressure: R, density: R, largest_velocity: R) -> R {
     let inner = 0.125 * psi * psi;
     let within = psi.max(1.0).min(2.0);
     let outer = 0.125 * within * within - within + logarithm(within) + 1.0;
-    let beyond = if psi > 2.0 { R::constant(OUTER_SHAPE) } else { outer };
-    let shape = if psi > 1.0 { beyond } else { inner };
+    let shape = if psi > 1.0 { outer } else { inner };
     central_pressure + 4.0 * density * largest_velocity * largest_velocity * shape
 }
 
