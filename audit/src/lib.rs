@@ -8,6 +8,7 @@
 //! | how far from the truth? | [`measure`] on a [`Target`] against the [`Quad`] oracle, in ulps; [`Budgets`] is the record |
 //! | how far can it be? | [`Gauge`]: the budget that follows from the operations |
 //! | what can it give at all? | [`enclose`]: rigorous bounds over its domain, by [`Interval`]s |
+//! | what of bad input? | [`outcomes`], [`unsaid`], [`bad_input_differences`]: NaN, infinities, zeros, wrong signs |
 //! | do its units fit? | [`check_units`]: every node of the drawn graph |
 //! | what does the code compute? | [`formula`] in LaTeX; [`Probe::draw`], printed by [`etalon_kernels_gen::emit`] |
 //!
@@ -25,6 +26,7 @@
 //! `docs/audit.md` explains the figures and their reasons; `docs/how-to/equation.md` says how to add a probe.
 #![forbid(unsafe_code)]
 
+mod bad_input;
 mod budgets;
 mod catalogue;
 mod declare;
@@ -47,6 +49,10 @@ mod state;
 mod target;
 mod units;
 
+pub use bad_input::{
+    BadInputFault, Kind, Outcome, Trial, Unnumbered, differences as bad_input_differences, not_caught, of_unnumbered,
+    outcomes, trials, unsaid,
+};
 pub use budgets::{Budgets, FULL_SAMPLES, Record, Regression, UnreadableRecord, measure_all};
 pub use catalogue::{Catalogue, CatalogueError, Subject, Unknown, is_host};
 pub use domain::{Domain, Spread, any, between, not_negative, positive};

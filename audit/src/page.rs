@@ -1,16 +1,19 @@
 //! All that is known of an equation, ready to be shown: as text, as JSON, as a page of the book.
 
+mod bad_values;
 mod book;
 mod figures;
 mod markdown;
 mod mathml;
 mod text;
 
+pub use bad_values::{BadRow, CaughtEntry};
 pub use book::{Book, BookError, Stale};
 pub(crate) use figures::ratio;
 pub use mathml::{NoFormula, mathml};
 pub(crate) use text::table;
 
+use crate::bad_input::of_unnumbered;
 use crate::budgets::Record;
 use crate::catalogue::{Catalogue, Subject, is_host};
 use crate::encoded::path_of;
@@ -73,6 +76,12 @@ pub struct LedgerEntry {
     /// Where the paper departs from physics, itself or published codes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deviation: Option<String>,
+    /// What its code does with bad input: `propagates`, `guards` or `refuses`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bad_input: Option<String>,
+    /// Which values do not propagate.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub caught: Vec<CaughtEntry>,
     /// Why no function encodes it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub not_encoded: Option<String>,
@@ -108,6 +117,9 @@ pub struct Function {
     pub line: u32,
     /// As its author wrote it.
     pub source: String,
+    /// Bad values that do not propagate, for a definition without a number; the ledger says it of others.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub caught: Vec<CaughtEntry>,
     /// The ways in which it was drawn and measured; none for a host function.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub calls: Vec<Call>,
@@ -134,6 +146,9 @@ pub struct Call {
     pub arranged: Option<String>,
     /// What comes out.
     pub results: Vec<CallQuantity>,
+    /// What bad values give, argument by argument.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub bad_values: Vec<BadRow>,
     /// Operations in `f32` and `f64`.
     pub operations: Operations,
     /// The formula as it is computed, in LaTeX; in one dimension of several.
@@ -262,6 +277,8 @@ impl LedgerEntry {
             reading: entry.reading.clone(),
             open_question: entry.open_question.clone(),
             deviation: entry.deviation.clone(),
+            bad_input: entry.bad_input.map(|behaviour| behaviour.to_string()),
+            caught: entry.caught.iter().map(CaughtEntry::of).collect(),
             not_encoded: (!is_encoded).then(|| entry.kind.reason_not_encoded().to_string()),
         }
     }
@@ -284,6 +301,7 @@ impl Function {
             file: entry.file.to_string(),
             line: entry.line,
             source: entry.source.trim_end().to_string(),
+            caught: of_unnumbered(&path).iter().map(CaughtEntry::of).collect(),
             calls: calls.collect::<Result<_, _>>()?,
             tests: catalogue.tests(entry).to_vec(),
             tests_known_by: if watched { "run" } else { "text" },
@@ -316,6 +334,7 @@ impl Call {
             arguments: probe.arguments.iter().map(|argument| CallQuantity::argument(argument, meaning)).collect(),
             arranged: probe.arranged.map(ToString::to_string),
             results: probe.results.iter().map(|quantity| CallQuantity::result(quantity, meaning)).collect(),
+            bad_values: if is_shown { bad_values::rows(probe) } else { Vec::new() },
             operations: Operations {
                 f32: count(&single).flops(),
                 f64: count(&double).flops(),

@@ -1,5 +1,7 @@
 //! The audit of the equations, on small samples. `etalon audit` takes large ones.
 
+#[path = "audit/bad_input.rs"]
+mod bad_input;
 #[path = "audit/budgets.rs"]
 mod budgets;
 #[path = "audit/declarations.rs"]

@@ -75,9 +75,9 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
-    /// `self` if `self < other`, else `other`.
+    /// `self` if `self < other`, else `other`; so NaN on the right comes out, and on the left is lost. Limits stand on the left.
     fn min(self, other: Self) -> Self;
-    /// `self` if `self > other`, else `other`.
+    /// `self` if `self > other`, else `other`; see [`min`](Real::min).
     fn max(self, other: Self) -> Self;
     /// `self * factor + addend`, fused or not as the type says: never the compiler's choice.
     fn mul_add(self, factor: Self, addend: Self) -> Self;

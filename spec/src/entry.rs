@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::Deserialize;
 
+use crate::bad_input::{BadInput, Caught};
 use crate::identifier::EquationId;
 use crate::unit::Unit;
 
@@ -121,4 +122,8 @@ pub struct Entry {
     pub open_question: Option<String>,
     /// Where the paper departs from physics, from itself or from published codes.
     pub deviation: Option<String>,
+    /// What its code does with values that no gas has. Always there but for an explanation, which has no code.
+    pub bad_input: Option<BadInput>,
+    /// Which values are caught, and what comes of them; none if all propagate.
+    pub caught: Vec<Caught>,
 }

@@ -107,6 +107,36 @@ pub enum LedgerError {
         /// The equation.
         number: u16,
     },
+    /// Nothing says what an equation does with bad input.
+    #[error(
+        "{file}, equation {number}, field `bad_input`: it is missing; say whether bad values are guarded, refused, or propagate"
+    )]
+    MissingBadInput {
+        /// The file.
+        file: String,
+        /// The equation.
+        number: u16,
+    },
+    /// Values are caught although all propagate.
+    #[error(
+        "{file}, equation {number}, field `caught`: values are caught but `bad_input` says that all propagate; write `guards` or `refuses`, or remove them"
+    )]
+    CaughtYetPropagates {
+        /// The file.
+        file: String,
+        /// The equation.
+        number: u16,
+    },
+    /// A class of values is listed twice.
+    #[error("{file}, equation {number}, field `caught`, values of `{of}`: one is listed twice; keep one")]
+    DuplicateBadValue {
+        /// The file.
+        file: String,
+        /// The equation.
+        number: u16,
+        /// The argument.
+        of: String,
+    },
     /// LaTeX whose braces, environments or dollar signs do not pair up.
     #[error("{file}, equation {number}, field `{field}`: {fault}; balance them")]
     Unbalanced {

@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 
+use crate::bad_input::{BadInput, BadValue, Caught};
 use crate::entry::{Confidence, Entry, Index, Kind, Symbol};
 use crate::error::LedgerError;
 use crate::identifier::EquationId;
@@ -54,6 +55,17 @@ struct RawEntry {
     reading: String,
     open_question: Option<String>,
     deviation: Option<String>,
+    bad_input: Option<BadInput>,
+    #[serde(default)]
+    caught: Vec<RawCaught>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawCaught {
+    of: String,
+    values: Vec<BadValue>,
+    gives: String,
 }
 
 #[derive(Deserialize)]
@@ -151,6 +163,12 @@ fn checked_symbols(file: &str, id: EquationId, raw: RawEntry) -> Result<Entry, L
         reading: one_line(&raw.reading),
         open_question: raw.open_question.as_deref().map(one_line),
         deviation: raw.deviation.as_deref().map(one_line),
+        bad_input: raw.bad_input,
+        caught: raw
+            .caught
+            .into_iter()
+            .map(|raw| Caught { of: trimmed(raw.of), values: raw.values, gives: one_line(&raw.gives) })
+            .collect(),
     })
 }
 

@@ -14,6 +14,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod bad_input;
 mod entry;
 mod error;
 mod identifier;
@@ -26,6 +27,7 @@ mod text;
 mod unit;
 mod validate;
 
+pub use bad_input::{BadInput, BadValue, Caught};
 pub use entry::{Confidence, Entry, Index, Kind, Symbol};
 pub use error::LedgerError;
 pub use identifier::{EquationId, IdError, exists};

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::entry::{Confidence, Entry, Index};
+use crate::bad_input::BadInput;
+use crate::entry::{Confidence, Entry, Index, Kind};
 use crate::error::LedgerError;
 use crate::latex;
 use crate::paper::Paper;
@@ -66,6 +67,8 @@ pub(crate) fn entry(
         return Err(LedgerError::OpenWithoutQuestion { file: file(), number });
     }
 
+    bad_input(file(), entry)?;
+
     let formula = latex::tokens(&entry.latex);
     let mut covered = vec![false; formula.len()];
     let mut listed = BTreeSet::new();
@@ -94,4 +97,37 @@ pub(crate) fn entry(
         Some(letter) => Err(LedgerError::UnexplainedLetter { file: file(), number, letter: letter.clone() }),
         None => Ok(()),
     }
+}
+
+/// Checks what the entry says of bad input.
+fn bad_input(file: String, entry: &Entry) -> Result<(), LedgerError> {
+    let number = entry.id.number();
+    match (entry.bad_input, entry.caught.is_empty()) {
+        (None, true) if entry.kind == Kind::Explanatory => return Ok(()),
+        (None, _) => return Err(LedgerError::MissingBadInput { file, number }),
+        (Some(BadInput::Propagates), false) => return Err(LedgerError::CaughtYetPropagates { file, number }),
+        (Some(BadInput::Guards | BadInput::Refuses), true) => {
+            return Err(LedgerError::EmptyField { file, number, field: "caught" });
+        }
+        _ => {}
+    }
+    for caught in &entry.caught {
+        let texts = [("caught.of", &caught.of), ("caught.gives", &caught.gives)];
+        for (field, text) in texts {
+            if text.is_empty() {
+                return Err(LedgerError::EmptyField { file, number, field });
+            }
+            if let Some(fault) = latex::fault(text) {
+                return Err(LedgerError::Unbalanced { file, number, field, fault });
+            }
+        }
+        let values: BTreeSet<_> = caught.values.iter().collect();
+        if values.is_empty() {
+            return Err(LedgerError::EmptyField { file, number, field: "caught.values" });
+        }
+        if values.len() < caught.values.len() {
+            return Err(LedgerError::DuplicateBadValue { file, number, of: caught.of.clone() });
+        }
+    }
+    Ok(())
 }

@@ -23,6 +23,7 @@ symbols = [
   { symbol = 'c_{a}', name = 'speed of sound', unit = 'L T^-1' },
 ]
 reading = 'A ratio.'
+bad_input = 'propagates'
 ";
 
 fn entry(number: u16) -> String {
@@ -232,4 +233,40 @@ fn text_that_is_not_toml() {
     let error = parse("paper = 'pl20'\ncitation == 'A paper'\n").unwrap_err();
     let LedgerError::NotToml { line, .. } = &error else { panic!("{error:?}") };
     assert_eq!(*line, 2, "{error}");
+}
+
+/// What an equation does with bad input is said, and said once.
+#[test]
+fn bad_input_that_is_not_accounted_for() {
+    let says = "bad_input = 'propagates'\n";
+    let guards = |caught: &str| format!("bad_input = 'guards'\ncaught = [{caught}]\n");
+    let error = fault_in_seven(says, "");
+    assert_eq!(error, LedgerError::MissingBadInput { file: FILE.into(), number: 7 });
+    assert!(error.to_string().contains("guarded, refused, or propagate"), "{error}");
+    let one = "{ of = 'v_a', values = ['nan'], gives = 'zero' }";
+    let error = fault_in_seven(says, &format!("{says}caught = [{one}]\n"));
+    assert_eq!(error, LedgerError::CaughtYetPropagates { file: FILE.into(), number: 7 });
+    for (caught, field) in [
+        ("", "caught"),
+        ("{ of = '', values = ['nan'], gives = 'zero' }", "caught.of"),
+        ("{ of = 'v_a', values = [], gives = 'zero' }", "caught.values"),
+        ("{ of = 'v_a', values = ['nan'], gives = ' ' }", "caught.gives"),
+    ] {
+        let error = fault_in_seven(says, &guards(caught));
+        assert_eq!(error, LedgerError::EmptyField { file: FILE.into(), number: 7, field });
+    }
+    let error = fault_in_seven(says, &guards("{ of = 'v_{a', values = ['nan'], gives = 'zero' }"));
+    assert!(matches!(error, LedgerError::Unbalanced { field: "caught.of", .. }), "{error:?}");
+    let error = fault_in_seven(says, &guards("{ of = 'v_a', values = ['nan', 'nan'], gives = 'zero' }"));
+    assert_eq!(error, LedgerError::DuplicateBadValue { file: FILE.into(), number: 7, of: "v_a".into() });
+    for (new, word) in
+        [("bad_input = 'ignores'\n", "unknown variant `ignores`"), (&guards(&one.replace("nan", "odd")), "`odd`")]
+    {
+        assert!(fault_in_seven(says, new).to_string().contains(word));
+    }
+    let text = file(&entries()).replace(says, &guards(one));
+    assert!(parse(&text).is_ok());
+    // An explanation has no code, so nothing can go wrong in it.
+    let text = file(&entries()).replace(says, "").replace("'computable'", "'explanatory'");
+    assert!(parse(&text).is_ok());
 }

@@ -40,8 +40,12 @@ pub fn audit(arguments: &AuditArguments) -> Result<Done, Failure> {
     if arguments.record {
         record(&mut catalogue, &survey)?;
     }
-    let state = State::of(&catalogue, &survey);
-    let text = if arguments.json { super::to_text(&as_json(&state)?)? } else { state.to_string() };
+    told(&State::of(&catalogue, &survey), arguments.json)
+}
+
+/// The state in words or JSON; passed unless something is wrong.
+fn told(state: &State, json: bool) -> Result<Done, Failure> {
+    let text = if json { super::to_text(&as_json(state)?)? } else { state.to_string() };
     Ok(Done { text, passed: state.passed })
 }
 
@@ -68,4 +72,71 @@ fn as_json(state: &State) -> Result<serde_json::Value, Failure> {
     let mut value = json!({ "schema": "etalon-audit", "schema_version": 1 });
     super::extend(&mut value, state)?;
     Ok(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::command::finished;
+    use etalon_audit::{Catalogue, Probe, Subject, own, positive, probe};
+    use etalon_kernels_gen::registered;
+    use std::process::ExitCode;
+
+    mod equations {
+        //! One whose units fit, and one whose units do not.
+        use etalon_kernels_gen::{Real, equation};
+
+        /// The floor of Balsara's limiter. Source: none.
+        #[equation(unnumbered = "test: a rate")]
+        pub fn rate<R: Real>(sound_speed: R, inverse_h: R, divergence: R) -> R {
+            divergence.abs() + 1e-4 * sound_speed * inverse_h
+        }
+
+        /// The same without its smoothing length. Source: none.
+        #[equation(unnumbered = "test: a rate without its length")]
+        pub fn rate_without_length<R: Real>(sound_speed: R, divergence: R) -> R {
+            divergence.abs() + 1e-4 * sound_speed
+        }
+    }
+
+    fn probes() -> [Vec<Probe>; 2] {
+        let fits = probe! {
+            equations::rate(sound_speed, inverse_h, divergence);
+            sound_speed: R = own("c", "sound speed"), "L T^-1", positive(0.1, 10.0);
+            inverse_h: R = own("h^{-1}", "inverse smoothing length"), "L^-1", positive(0.1, 10.0);
+            divergence: R = own("d", "divergence"), "T^-1", positive(0.1, 10.0);
+            => rate: R = own("s", "rate"), "T^-1";
+        };
+        let wrong = probe! {
+            equations::rate_without_length(sound_speed, divergence);
+            sound_speed: R = own("c", "sound speed"), "L T^-1", positive(0.1, 10.0);
+            divergence: R = own("d", "divergence"), "T^-1", positive(0.1, 10.0);
+            => rate: R = own("s", "rate"), "T^-1";
+        };
+        [fits, wrong]
+    }
+
+    /// What the command comes to for the equation of these probes, were it one of ours.
+    fn audited(probes: &[Probe], json: bool) -> (String, ExitCode) {
+        let mut catalogue = Catalogue::load().unwrap();
+        let entry = registered().into_iter().find(|entry| probes[0].is_of(entry)).unwrap();
+        let probes: Vec<&Probe> = probes.iter().collect();
+        let survey = Survey::of_probes(&catalogue, Some(Subject::Functions(vec![entry])), &probes, 1, |_, _, _| ());
+        // Its errors are on record: nothing is wrong but what is wrong with it.
+        catalogue.budgets = survey.budgets();
+        let done = told(&State::of(&catalogue, &survey), json).unwrap();
+        (done.text.clone(), finished(Ok(done)))
+    }
+
+    #[test]
+    fn an_equation_whose_units_do_not_fit_exits_with_1() {
+        let [fits, wrong] = probes();
+        for json in [false, true] {
+            let (text, code) = audited(&fits, json);
+            assert_eq!(code, ExitCode::SUCCESS, "{text}");
+            let (text, code) = audited(&wrong, json);
+            assert_eq!(code, ExitCode::from(1), "{text}");
+            assert!(text.contains("a sum of T^-1 and L T^-1") && text.contains("rate_without_length"), "{text}");
+        }
+    }
 }

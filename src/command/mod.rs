@@ -46,6 +46,11 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Show(arguments) => show::show(&arguments).map(Done::passed),
         Command::Pages(arguments) => pages::pages(&arguments),
     };
+    finished(done)
+}
+
+/// Prints what a command came to; its exit code.
+fn finished(done: Result<Done, Failure>) -> ExitCode {
     match done {
         Ok(done) => match print(&done.text) {
             Ok(()) if done.passed => ExitCode::SUCCESS,

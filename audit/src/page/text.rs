@@ -1,6 +1,6 @@
 //! A page for a terminal.
 
-use super::{Call, Function, LedgerEntry, Page, figures};
+use super::{Call, CaughtEntry, Function, LedgerEntry, Page, figures};
 use std::fmt;
 
 const WIDTH: usize = 100;
@@ -32,14 +32,23 @@ fn ledger(f: &mut fmt::Formatter<'_>, entry: &LedgerEntry) -> fmt::Result {
             entry.symbols.iter().map(|of| vec![of.symbol.clone(), format!("[{}]", of.unit), of.name.clone()]).collect();
         write!(f, "{}", table(&rows))?;
     }
+    let bad_input = entry.bad_input.as_ref().map(|behaviour| super::bad_values::words(behaviour));
     let parts = [
         ("Reading", Some(&entry.reading)),
         ("Open question", entry.open_question.as_ref()),
         ("Deviation", entry.deviation.as_ref()),
         ("Not encoded", entry.not_encoded.as_ref()),
+        ("Bad input", bad_input.as_ref()),
     ];
     for (name, text) in parts.into_iter().filter_map(|(name, text)| Some((name, text?))) {
         writeln!(f, "\n{name}\n{}", wrapped(text))?;
+    }
+    caught(f, &entry.caught)
+}
+
+fn caught(f: &mut fmt::Formatter<'_>, list: &[CaughtEntry]) -> fmt::Result {
+    for CaughtEntry { of, values, gives } in list {
+        writeln!(f, "{}", wrapped(&format!("- {of} {}: {gives}.", values.join(" or "))))?;
     }
     Ok(())
 }
@@ -53,6 +62,10 @@ fn function(f: &mut fmt::Formatter<'_>, function: &Function) -> fmt::Result {
         writeln!(f, "\nRuns on the host only: it is not generic over the number, and not drawn.")?;
     } else if function.calls.is_empty() {
         writeln!(f, "\nNo probe calls it yet: it was neither drawn nor measured here.")?;
+    }
+    if !function.caught.is_empty() {
+        writeln!(f, "\nBad input\n  {}", super::bad_values::words("guards"))?;
+        caught(f, &function.caught)?;
     }
     for call in &function.calls {
         drawn(f, call)?;
@@ -85,6 +98,12 @@ fn drawn(f: &mut fmt::Formatter<'_>, call: &Call) -> fmt::Result {
     write!(f, "{}", table(&own))?;
     if let Some(arranged) = &call.arranged {
         writeln!(f, "{}", wrapped(&format!("The arguments belong together: {arranged}.")))?;
+    }
+    if !call.bad_values.is_empty() {
+        writeln!(f, "\n{}: what bad values give", call.probe)?;
+        let head = super::bad_values::HEAD.map(ToString::to_string).to_vec();
+        let rows = call.bad_values.iter().map(|row| row.cells().map(ToString::to_string).to_vec());
+        write!(f, "{}", table(&std::iter::once(head).chain(rows).collect::<Vec<_>>()))?;
     }
     if let Some(formula) = &call.formula {
         writeln!(f, "\n{}: the formula as it is computed\n{}", call.probe, indented(formula))?;

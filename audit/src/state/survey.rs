@@ -1,6 +1,7 @@
 //! Measuring equations, checking their units, printing them: what takes time, and needs no record.
 
 use super::{Worse, chosen};
+use crate::bad_input::{differences, not_caught, unsaid};
 use crate::budgets::{Budgets, Regression};
 use crate::catalogue::{Catalogue, Subject};
 use crate::encoded::Vanished;
@@ -24,7 +25,7 @@ pub struct Survey {
     pub(super) units: BTreeMap<String, bool>,
     /// By the function's path: what it could be printed for.
     pub(super) printed: BTreeMap<String, BTreeSet<&'static str>>,
-    /// Units that do not fit, which no record can excuse.
+    /// Units that do not fit, and bad input that is not treated as the ledger says: no record can excuse them.
     faults: Vec<Worse>,
 }
 
@@ -35,14 +36,31 @@ impl Survey {
         catalogue: &Catalogue,
         only: Option<Subject>,
         samples: usize,
-        mut progress: impl FnMut(&str, usize, usize),
+        progress: impl FnMut(&str, usize, usize),
     ) -> Self {
         let (_, entries) = chosen(catalogue, only.as_ref());
         let probes: Vec<&Probe> = entries.iter().flat_map(|entry| of_equation(entry)).collect();
+        let mut survey = Survey::of_probes(catalogue, only, &probes, samples, progress);
+        if survey.only.is_none() {
+            let faults = not_caught(&catalogue.ledger, crate::probes());
+            let worse = |message: String| Worse { subject: "bad input".to_string(), message };
+            survey.faults.extend(faults.iter().map(|fault| worse(fault.to_string())));
+        }
+        survey
+    }
+
+    /// The same with these probes, for equations that are not among [`probes`](crate::probes()).
+    pub fn of_probes(
+        catalogue: &Catalogue,
+        only: Option<Subject>,
+        probes: &[&Probe],
+        samples: usize,
+        mut progress: impl FnMut(&str, usize, usize),
+    ) -> Self {
         let mut survey = Survey { samples, only, ..Survey::default() };
         for (done, probe) in probes.iter().enumerate() {
             progress(&probe.key(), done, probes.len());
-            survey.check(probe);
+            survey.check(catalogue, probe);
             survey.measurements.extend(measure_targets(probe, &Target::ALL, samples));
         }
         survey
@@ -59,12 +77,14 @@ impl Survey {
         Budgets::of(&measurements)
     }
 
-    /// Units, and whether it can be printed.
-    fn check(&mut self, probe: &Probe) {
+    /// Units, bad input, and whether it can be printed.
+    fn check(&mut self, catalogue: &Catalogue, probe: &Probe) {
         let path = probe.path();
         let faults = check_units(probe).err().unwrap_or_default();
         *self.units.entry(path.clone()).or_insert(true) &= faults.is_empty();
         let worse = |message: String| Worse { subject: path.clone(), message };
+        self.faults.extend(faults.iter().map(|fault| worse(fault.to_string())));
+        let faults = [unsaid(&catalogue.ledger, probe), differences(probe)].concat();
         self.faults.extend(faults.iter().map(|fault| worse(fault.to_string())));
         let head = Header { command: "etalon audit", definition: &path };
         let printed = self.printed.entry(path.clone()).or_default();

@@ -22,6 +22,7 @@ pub(super) fn describe(graph: &Graph, op: Op, word: &dyn Fn(Id) -> Option<String
         Op::Add(a, b) => of_pair(word(a)?, word(b)?, "_a_plus_b"),
         Op::Less(a, b) if is(a, 0.0) => with("", b, "_is_positive"),
         Op::Less(a, b) if is(b, 0.0) => with("", a, "_is_negative"),
+        Op::LessEqual(a, b) if is(b, 0.0) => with("", a, "_is_not_positive"),
         _ => None,
     }
 }

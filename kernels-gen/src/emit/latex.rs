@@ -184,15 +184,16 @@ impl Writer<'_> {
 
     /// Selections among the other sides of selections, one below the other.
     fn cases(&self, id: Id) -> Text {
-        let mut rows = Vec::new();
+        let (mut rows, mut masks) = (Vec::new(), Vec::new());
         let mut last = id;
         while let Op::Select(mask, yes, no) = self.op(last)
             && (last == id || !self.is_named(last) && self.uses[last.index()] == 1)
         {
             rows.push(format!("{} & {}", self.where_it_holds(yes, mask).text, self.text(mask).text));
+            masks.push(mask);
             last = no;
         }
-        rows.push(format!(r"{} & \text{{otherwise}}", self.text(last).text));
+        rows.push(format!(r"{} & \text{{otherwise}}", self.where_none_holds(last, &masks).text));
         Text::atom(format!(r"\begin{{cases}} {} \end{{cases}}", rows.join(r" \\ ")))
     }
 
@@ -201,6 +202,18 @@ impl Writer<'_> {
         if let Op::Div(above, below) = self.op(id)
             && let Op::Select(guard, divisor, _) = self.op(below)
             && guard == mask
+            && !self.is_named(id)
+        {
+            return self.text(above).over(&self.text(divisor));
+        }
+        self.text(id)
+    }
+
+    /// What is left when no mask holds, likewise.
+    fn where_none_holds(&self, id: Id, masks: &[Id]) -> Text {
+        if let Op::Div(above, below) = self.op(id)
+            && let Op::Select(guard, _, divisor) = self.op(below)
+            && masks.contains(&guard)
             && !self.is_named(id)
         {
             return self.text(above).over(&self.text(divisor));

@@ -24,8 +24,8 @@
 //! | `Select(m, a, b)` | `a` where `m` holds, else `b`; both are evaluated |
 //!
 //! *No NaN, no infinity.* Equations are finite by construction: on legal input no node is infinite or NaN. `Min` and `Max`
-//! return their second operand when either is NaN, as [`Real`](crate::Real) defines, but targets differ there, and
-//! nothing may rely on it. [`first_not_finite`](super::first_not_finite) finds the node that breaks the promise.
+//! return their second operand when either is NaN, as [`Real`](crate::Real) defines, but devices differ there, and
+//! no legal result may rely on it; that NaN shows on the processor does (`docs/numerics.md`, bad input). [`first_not_finite`](super::first_not_finite) finds the node that breaks the promise.
 //!
 //! *The sign of zero* is not part of a graph's meaning: targets and the simplifier may turn it.
 //!

@@ -36,7 +36,7 @@ pub fn signal_velocity<R: Real>(sound_speed_a: R, sound_speed_b: R, omega_ab: R)
 /// It is (6) with `beta = 3 alpha / 2`. Unit: L^(2+nu) M^-1 T^-2. Source: GS25 (1), C25 (6).
 #[equation("gs25:1", "c25:6")]
 pub fn riemann_viscosity<R: Real>(alpha: R, v_sig: R, omega_ab: R, mean_density: R) -> R {
-    let approach = omega_ab.min(0.0);
+    let approach = 0.0.min(omega_ab);
     -(alpha * v_sig * approach) / (mean_density + mean_density)
 }
 
@@ -56,7 +56,7 @@ pub fn regularised_approach<R: Real>(v_dot_r: R, r_squared: R, mean_h: R) -> R {
 /// [`regularised_approach`] in its place it is the classical form. Unit: L^(2+nu) M^-1 T^-2. Source: GS25 (6); (4) for `mu`.
 #[equation("gs25:4", "gs25:6")]
 pub fn pair_viscosity<R: Real>(alpha: R, beta: R, mean_sound_speed: R, omega_ab: R, mean_density: R) -> R {
-    let approach = omega_ab.min(0.0);
+    let approach = 0.0.min(omega_ab);
     approach * (beta * approach - alpha * mean_sound_speed) / mean_density
 }
 
@@ -104,7 +104,7 @@ pub fn wave_aware_limiter<R: Real>(divergence: R, curl: R, sound_speed: R, inver
 pub fn linear_coefficient<R: Real>(viscosity: &Viscosity, balsara_ab: R) -> R {
     let alpha = R::lit(viscosity.alpha);
     match viscosity.dissipation {
-        Dissipation::AvSlrB2F | Dissipation::AvSlrBStar2F => alpha * balsara_ab.max(R::lit(viscosity.floor)),
+        Dissipation::AvSlrB2F | Dissipation::AvSlrBStar2F => alpha * R::lit(viscosity.floor).max(balsara_ab),
         _ => alpha,
     }
 }

@@ -13,7 +13,7 @@ use etalon_kernels_gen::{Constant, Real, equation};
 #[equation(unnumbered = "the double-humped kernel D of PL20 (4)-(6)")]
 pub fn double_hump<R: Real, const D: usize>(kernel: Kernel, q_squared: R) -> R {
     // Far outside of the support powers of q would leave the numbers; at its edge the bell is zero as well.
-    let inside = q_squared.min(R::lit(kernel.support() * kernel.support()));
+    let inside = R::lit(kernel.support() * kernel.support()).min(q_squared);
     let bell = kernel_shape::<R, D>(kernel, inside).value;
     R::constant(double_hump_factor::<D>(kernel)) * (inside * bell)
 }

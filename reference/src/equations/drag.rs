@@ -47,7 +47,7 @@ pub fn stopping_rate<R: Real>(drag_coefficient: R, gas_density: R, dust_density:
 /// No longer than [`LONGEST_STEP`], which it is without drag. Source: PL20 (7).
 #[equation("pl20:7")]
 pub fn stopping_time<R: Real>(stopping_rate: R) -> R {
-    1.0 / stopping_rate.max(R::lit(1.0 / LONGEST_STEP))
+    1.0 / R::lit(1.0 / LONGEST_STEP).max(stopping_rate)
 }
 
 /// The step that explicit drag allows, `0.9 t_s` with the shortest stopping time among the neighbours.

@@ -124,6 +124,6 @@ pub fn correction_term<R: Real, const D: usize>(mass: R, slope: R, r_ba: Vector<
 pub fn linear_gradient<R: Real, const D: usize>(sum: Matrix<R, D>, correction: Symmetric<R, D>) -> Matrix<R, D> {
     let scale = ratio_or_zero(R::lit(D as f64), correction.trace());
     let quality = determinant(correction.scale(scale));
-    let share = (quality * R::lit(1.0 / QUALITY_FLOOR) - 1.0).max(0.0).min(1.0);
+    let share = 1.0.min(0.0.max(quality * R::lit(1.0 / QUALITY_FLOOR) - 1.0));
     gradient(sum, inverse_moments(correction)).scale(share)
 }

@@ -16,6 +16,6 @@ pub fn pressure<R: Real>(gamma_minus_one: R, density: R, internal_energy: R) -> 
 /// Source: `c^2 = gamma P / rho` with the ideal gas of GS25 section 3.
 #[equation(unnumbered = "ideal gas, GS25 section 3")]
 pub fn sound_speed<R: Real>(gamma_minus_one: R, internal_energy: R) -> R {
-    let squared = gamma_minus_one * (1.0 + gamma_minus_one) * internal_energy.max(0.0);
+    let squared = gamma_minus_one * (1.0 + gamma_minus_one) * 0.0.max(internal_energy);
     squared.sqrt()
 }

@@ -45,7 +45,7 @@ pub fn inverse_moments<R: Real, const D: usize>(tau: Symmetric<R, D>) -> Symmetr
     let scale = ratio_or_zero(R::lit(D as f64), tau.trace());
     let scaled = tau.scale(scale);
     let quality = determinant(scaled);
-    let lift = (R::lit(QUALITY_FLOOR) - quality).max(0.0);
+    let lift = 0.0.max(R::lit(QUALITY_FLOOR) - quality);
     let lifted = Symmetric::from_fn(|i, j| if i == j { scaled.at(i, i) + lift } else { scaled.at(i, j) });
     let inverse_determinant = ratio_or_zero(scale, determinant(lifted));
     adjugate(lifted).scale(inverse_determinant)

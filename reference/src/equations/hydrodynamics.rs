@@ -32,17 +32,20 @@ pub fn pressure_coefficient<R: Real>(pressure: R, grad_h: R, normalisation: R, s
 pub fn crossed_weight<R: Real>(density_a: R, density_b: R, standard_a: R, standard_b: R) -> R {
     let difference = (density_a - density_b).abs();
     let sum = density_a + density_b;
-    if rare(difference > R::lit(ATWOOD_RAMP.0) * sum) {
-        let atwood = difference / sum;
-        let sigma = (atwood - R::lit(ATWOOD_RAMP.0)) * R::lit(1.0 / (ATWOOD_RAMP.1 - ATWOOD_RAMP.0));
-        let z = ((standard_a - standard_b) / (standard_a + standard_b)).max(-0.5).min(0.5);
+    // Not asked whether it is larger: a density that is not a number is to come out as such, not as smooth flow.
+    if rare(!(difference <= R::lit(ATWOOD_RAMP.0) * sum)) {
+        let atwood = functions::ratio_or_zero(difference, sum);
+        let sigma = 0.0.max((atwood - R::lit(ATWOOD_RAMP.0)) * R::lit(1.0 / (ATWOOD_RAMP.1 - ATWOOD_RAMP.0)));
+        let relative = functions::ratio_or_zero(standard_a - standard_b, standard_a + standard_b);
+        let z = 0.5.min(R::lit(-0.5).max(relative));
         let logarithm = 2.0 * z * functions::horner(&ARTANH, 4.0 * z * z);
         let decay = exp_negative(sigma * logarithm.abs());
-        let contrast = standard_a.max(standard_b) / standard_a.min(standard_b);
-        let excess = (contrast * R::constant(THIRD)).max(1.0);
+        let ratio = functions::ratio_or_zero(standard_a, standard_b);
+        let contrast = ratio.max(functions::ratio_or_zero(standard_b, standard_a));
+        let excess = 1.0.max(contrast * R::constant(THIRD));
         let beyond = 1.0 + sigma * (excess - 1.0);
         let ramp = if z < 0.0 { decay / beyond } else { beyond / decay };
-        if sigma < 1.0 { ramp } else { standard_a / standard_b }
+        if sigma >= 1.0 { ratio } else { ramp }
     } else {
         1.0
     }

@@ -107,7 +107,7 @@ pub fn mixed_sinc<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
     let b_9 = R::constant(MEMBER_9[D - 1][0]);
     let half_b_4 = R::constant(MEMBER_4[D - 1][1]);
     let half_b_9 = R::constant(MEMBER_9[D - 1][1]);
-    let t = (q_squared * 0.25).min(1.0);
+    let t = 1.0.min(q_squared * 0.25);
     let (s, s_slope) = sinc_half_pi(t);
     let s_2 = s * s;
     let s_4 = s_2 * s_2;
@@ -125,8 +125,8 @@ pub fn mixed_sinc<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
 pub fn cubic_spline<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
     let norm = R::constant(CUBIC_SPLINE[D - 1]);
     let q = q_squared.sqrt();
-    let outer = (2.0 - q).max(0.0);
-    let inner = (1.0 - q).max(0.0);
+    let outer = 0.0.max(2.0 - q);
+    let inner = 0.0.max(1.0 - q);
     let value = norm * (0.25 * outer.power(3) - inner.power(3));
     let slope = if q < 1.0 { 2.25 * q - 3.0 } else { -(0.75 * outer.power(2)) / q.max(1.0) };
     Shape { value, slope_over_q: norm * slope }
@@ -140,9 +140,9 @@ pub fn cubic_spline<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
 pub fn quintic_spline<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
     let norm = R::constant(QUINTIC_SPLINE[D - 1]);
     let q = q_squared.sqrt();
-    let outer = (3.0 - q).max(0.0);
-    let middle = (2.0 - q).max(0.0);
-    let inner = (1.0 - q).max(0.0);
+    let outer = 0.0.max(3.0 - q);
+    let middle = 0.0.max(2.0 - q);
+    let inner = 0.0.max(1.0 - q);
     let value = norm * (outer.power(5) - 6.0 * middle.power(5) + 15.0 * inner.power(5));
     let slope = if q < 1.0 {
         q_squared * (120.0 - 50.0 * q) - 120.0
@@ -159,7 +159,7 @@ pub fn quintic_spline<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
 pub fn wendland_c2<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
     let norm = R::constant(WENDLAND_C2[D - 1]);
     let q = q_squared.sqrt();
-    let u = (1.0 - 0.5 * q).max(0.0);
+    let u = 0.0.max(1.0 - 0.5 * q);
     let (value, slope) = match D {
         1 => (u.power(3) * (1.5 * q + 1.0), -3.0 * u.power(2)),
         _ => (u.power(4) * (2.0 * q + 1.0), -5.0 * u.power(3)),
@@ -174,7 +174,7 @@ pub fn wendland_c2<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
 pub fn wendland_c4<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
     let norm = R::constant(WENDLAND_C4[D - 1]);
     let q = q_squared.sqrt();
-    let u = (1.0 - 0.5 * q).max(0.0);
+    let u = 0.0.max(1.0 - 0.5 * q);
     let (value, slope) = match D {
         1 => (u.power(5) * (q * (2.0 * q + 2.5) + 1.0), -3.5 * u.power(4) * (2.0 * q + 1.0)),
         _ => {
@@ -194,7 +194,7 @@ pub fn wendland_c4<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
 pub fn wendland_c6<R: Real, const D: usize>(q_squared: R) -> Shape<R> {
     let norm = R::constant(WENDLAND_C6[D - 1]);
     let q = q_squared.sqrt();
-    let u = (1.0 - 0.5 * q).max(0.0);
+    let u = 0.0.max(1.0 - 0.5 * q);
     let (value, slope) = match D {
         1 => (
             u.power(7) * (q * (q * (2.625 * q + 4.75) + 3.5) + 1.0),

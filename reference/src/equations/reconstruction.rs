@@ -60,7 +60,8 @@ pub fn slope_limiter<R: Real>(slope_a: R, slope_b: R) -> R {
 /// Closer than the mean spacing the reconstruction fades and full viscosity returns. `inverse_q_fold` is `1 / q_fold`. Source: GS25 (14), C25 (11).
 #[equation("gs25:14", "c25:11")]
 pub fn short_range_factor<R: Real>(q_ab: R, q_crit: R, inverse_q_fold: R) -> R {
-    if rare(q_ab < q_crit) {
+    // Not asked whether it is closer: a separation that is not a number is to come out as such.
+    if rare(!(q_ab >= q_crit)) {
         let depth = (q_crit - q_ab) * inverse_q_fold;
         exp_negative(depth * depth)
     } else {

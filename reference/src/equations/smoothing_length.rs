@@ -21,7 +21,7 @@ pub fn effective_neighbours<R: Real, const D: usize>(inverse_h: R, volume: R, su
 /// derivative (Price & Monaghan 2007); `docs/sod.md` has the limits.
 #[equation(unnumbered = "smoothing-length update")]
 pub fn settled_smoothing_length<R: Real, const D: usize>(h: R, neighbours: R, wanted: R, grad_h: R) -> R {
-    let omega = grad_h.max(1.0);
+    let omega = 1.0.max(grad_h);
     h * ((dimension_root::<R, D>(wanted / neighbours) + (omega - 1.0)) / omega)
 }
 
@@ -32,6 +32,6 @@ pub fn settled_smoothing_length<R: Real, const D: usize>(h: R, neighbours: R, wa
 /// takes the lag away to first order. Source: ours; `docs/sod.md` has the experiment.
 #[equation(unnumbered = "smoothing-length update")]
 pub fn next_smoothing_length<R: Real>(settled: R, settled_before: R) -> R {
-    let change = (settled / settled_before).max(0.8).min(1.25);
+    let change = 1.25.min(0.8.max(settled / settled_before));
     settled * change
 }

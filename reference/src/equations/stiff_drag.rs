@@ -39,7 +39,7 @@ pub fn decayed_share<R: Real>(rate: R, time_step: R) -> R {
 /// uniform box.
 #[equation(unnumbered = "the mean drag over a step, PL20 (1), (2) solved")]
 pub fn mean_drag_share<R: Real>(stopping_rate: R, time_step: R) -> R {
-    let y = (stopping_rate * time_step).max(R::lit(1.0 / LONGEST_STEP));
+    let y = R::lit(1.0 / LONGEST_STEP).max(stopping_rate * time_step);
     -expm1_negative(y) / y
 }
 

@@ -1,7 +1,7 @@
 //! The time-dependent viscosity coefficient after Read & Hayfield 2012: GS25 (9) and (10), C25 (15) and (16).
 
 use crate::schemes::Viscosity;
-use etalon_kernels_gen::functions::{exp_negative, ratio_or_zero};
+use etalon_kernels_gen::functions::{exp_negative, larger, ratio_or_zero};
 use etalon_kernels_gen::{Real, Vector, equation};
 
 /// The share of the sound speed in the denominator of GS25 (9): slower changes of velocity than this do not trip the switch.
@@ -23,7 +23,7 @@ pub fn convergence_indicator<R: Real, const D: usize>(divergence_gradient: Vecto
 pub fn local_coefficient<R: Real>(viscosity: &Viscosity, indicator: R, divergence: R, sound_speed: R, h: R) -> R {
     let denominator = indicator + h * divergence.abs() + R::lit(NOISE_SHARE) * sound_speed;
     let asked = R::lit(viscosity.alpha) * ratio_or_zero(indicator, denominator);
-    if divergence < 0.0 { asked } else { 0.0 }
+    if divergence >= 0.0 { 0.0 } else { asked }
 }
 
 /// The coefficient after the rise, which is instantaneous: the larger of what is left and what is asked for.
@@ -31,7 +31,7 @@ pub fn local_coefficient<R: Real>(viscosity: &Viscosity, indicator: R, divergenc
 /// Source: GS25 section 2.2, the first of the two options between (9) and (10).
 #[equation("gs25:10", "c25:16")]
 pub fn raised_coefficient<R: Real>(alpha: R, alpha_local: R) -> R {
-    alpha.max(alpha_local)
+    larger(alpha, alpha_local)
 }
 
 /// What the coefficient decays to: `alpha_loc`, and no lower than `alpha_min`. Joins the two branches of the printed formula.
@@ -39,7 +39,7 @@ pub fn raised_coefficient<R: Real>(alpha: R, alpha_local: R) -> R {
 /// Source: GS25 (10), C25 (16).
 #[equation("gs25:10", "c25:16")]
 pub fn decay_target<R: Real>(viscosity: &Viscosity, alpha_local: R) -> R {
-    alpha_local.max(R::lit(viscosity.alpha_min))
+    R::lit(viscosity.alpha_min).max(alpha_local)
 }
 
 /// The rate of decay, `1 / tau = v_sig,max / h` (T^-1).
@@ -67,7 +67,7 @@ pub fn coefficient_rate<R: Real>(viscosity: &Viscosity, alpha: R, alpha_local: R
 pub fn decayed_coefficient<R: Real>(viscosity: &Viscosity, alpha: R, alpha_local: R, decay_rate: R, dt: R) -> R {
     let target = decay_target(viscosity, alpha_local);
     let decayed = (alpha - target).mul_add(exp_negative(dt * decay_rate), target);
-    decayed.max(R::lit(viscosity.alpha_min)).min(R::lit(viscosity.alpha))
+    R::lit(viscosity.alpha).min(R::lit(viscosity.alpha_min).max(decayed))
 }
 
 /// The pair's coefficient, the mean of the two particles'.

@@ -1,4 +1,6 @@
 //! How long a step may be.
+//!
+//! Each asks when there is *no* limit, so that a quantity that is not a number makes a step that is not one, and the run stops.
 
 use etalon_kernels_gen::functions::ratio_or_zero;
 use etalon_kernels_gen::{Real, equation};
@@ -17,7 +19,7 @@ pub const COURANT: f64 = 0.4;
 #[equation(unnumbered = "Courant's criterion")]
 pub fn courant_step<R: Real>(h: R, signal_velocity: R) -> R {
     let limit = ratio_or_zero(R::lit(COURANT) * h, signal_velocity);
-    if signal_velocity > 0.0 { limit } else { R::lit(LONGEST_STEP) }
+    if signal_velocity <= 0.0 { R::lit(LONGEST_STEP) } else { limit }
 }
 
 /// The step an acceleration allows, `0.25 sqrt(h / |a|)`.
@@ -26,7 +28,7 @@ pub fn courant_step<R: Real>(h: R, signal_velocity: R) -> R {
 #[equation(unnumbered = "the force criterion")]
 pub fn acceleration_step<R: Real>(h: R, acceleration: R) -> R {
     let limit = ratio_or_zero(h, acceleration);
-    if acceleration > 0.0 { 0.25 * limit.sqrt() } else { R::lit(LONGEST_STEP) }
+    if acceleration <= 0.0 { R::lit(LONGEST_STEP) } else { 0.25 * limit.sqrt() }
 }
 
 /// The step cooling allows, `0.5 u / |du/dt|` while the energy falls, so that it stays positive.
@@ -35,5 +37,5 @@ pub fn acceleration_step<R: Real>(h: R, acceleration: R) -> R {
 #[equation(unnumbered = "the energy criterion")]
 pub fn cooling_step<R: Real>(internal_energy: R, energy_rate: R) -> R {
     let limit = ratio_or_zero(0.5 * internal_energy, -energy_rate);
-    if energy_rate < 0.0 && internal_energy > 0.0 { limit } else { R::lit(LONGEST_STEP) }
+    if energy_rate >= 0.0 || internal_energy <= 0.0 { R::lit(LONGEST_STEP) } else { limit }
 }

@@ -37,7 +37,7 @@ pub fn scale_mach_number<R: Real>(structure_function: R, sound_speed: R, reading
 #[equation(unnumbered = "amplitudes of the driving, C25 section 2")]
 pub fn driving_amplitude<R: Real, const D: usize>(wave_number: R, peak: R, profile: Profile) -> R {
     let off = wave_number - peak;
-    let parabola = (1.0 - off * off).max(0.0);
+    let parabola = 0.0.max(1.0 - off * off);
     match profile {
         Profile::Amplitude => parabola,
         Profile::Power => {

@@ -6,7 +6,7 @@ use crate::equations::gradients::integral_gradient;
 use crate::equations::kernels::{inverse_volume, kernel_shape};
 use crate::equations::time_step::cooling_step;
 use crate::fields::*;
-use etalon_kernels_gen::functions::ratio_or_zero;
+use etalon_kernels_gen::functions::{ratio_or_zero, smaller};
 use etalon_kernels_gen::{Pass, Real, Scalar, Separation, Symmetric, Vector, record};
 
 /// Heat flows from the hotter to the colder particle of a pair whose pressures differ (Price et al. 2018; GS25 section 3.6).
@@ -95,7 +95,7 @@ impl<const D: usize> Pass<D> for Conduction {
     #[inline(always)]
     fn finish<R: Real>(&self, own: &Self::Own<R>, sums: &Self::Sums<R>) -> Self::Out<R> {
         let energy_rate = sums.conduction.mul_add(own.mobility, own.energy_rate);
-        let time_step = own.time_step.min(cooling_step(own.pair.internal_energy, energy_rate));
+        let time_step = smaller(own.time_step, cooling_step(own.pair.internal_energy, energy_rate));
         ConductionOut { energy_rate, time_step }
     }
 }

@@ -16,7 +16,7 @@ use crate::equations::reconstruction::{
 use crate::equations::time_step::{acceleration_step, cooling_step, courant_step};
 use crate::fields::*;
 use crate::schemes::{ApproachForm, Dissipation, Viscosity};
-use etalon_kernels_gen::functions::ratio_or_zero;
+use etalon_kernels_gen::functions::{larger, ratio_or_zero, smaller};
 use etalon_kernels_gen::{Pass, Real, Scalar, Separation, Symmetric, Vector, record};
 
 /// The equations of motion (C25 22, 23) with the viscosity of the true velocities (GS25 6).
@@ -208,7 +208,7 @@ impl Momentum {
         MomentumSums {
             acceleration: pressure + viscous_acceleration(b.mass, viscosity, mean_gradient),
             energy_rate: work + viscous_heating(b.mass, viscosity, v_ab, mean_gradient),
-            signal_velocity: signal_velocity(a.sound_speed, b.sound_speed, line.omega.min(R::zero())),
+            signal_velocity: signal_velocity(a.sound_speed, b.sound_speed, R::zero().min(line.omega)),
         }
     }
 
@@ -216,7 +216,7 @@ impl Momentum {
     #[inline(always)]
     pub(super) fn largest_signal<R: Real, const D: usize>(own: &MomentumOwn<R, D>, sums: &MomentumSums<R, D>) -> R {
         let slowest = own.pair.sound_speed + own.pair.sound_speed;
-        sums.signal_velocity.max(slowest)
+        larger(sums.signal_velocity, slowest)
     }
 }
 
@@ -240,9 +240,10 @@ impl<const D: usize> Pass<D> for Momentum {
         let acceleration = sums.acceleration.scale(mobility);
         let energy_rate = sums.energy_rate * mobility;
         let h = R::one() / own.pair.inverse_h;
-        let time_step = courant_step(h, Self::largest_signal(own, sums))
-            .min(acceleration_step(h, acceleration.norm()))
-            .min(cooling_step(internal_energy, energy_rate));
+        // None of the three may hide that another is not a number: by the step a run that has gone wrong stops.
+        let of_motion =
+            smaller(courant_step(h, Self::largest_signal(own, sums)), acceleration_step(h, acceleration.norm()));
+        let time_step = smaller(of_motion, cooling_step(internal_energy, energy_rate));
         MomentumOut { acceleration, energy_rate, time_step }
     }
 }

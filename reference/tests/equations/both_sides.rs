@@ -66,7 +66,9 @@ fn all<P: Significand, T: Real<Mask = bool> + Into<f64>>(extreme: f64) {
     try_drawn::<P, T, 4>("pressure_coefficient", [not_negative, any, positive, positive], |[p, o, k, r]| {
         vec![pressure_coefficient(p, o, k, r)]
     });
-    try_drawn::<P, T, 4>("crossed_weight", [positive; 4], |[a, b, c, d]| vec![crossed_weight(a, b, c, d)]);
+    // Voids too, and a ratio of six, at which the part beyond a ratio of three would be zero in the side that smooth flow leaves.
+    let densities: &[f64] = &[0.0, least, 0.3, 1.0, 6.0, extreme];
+    try_drawn::<P, T, 4>("crossed_weight", [densities; 4], |[a, b, c, d]| vec![crossed_weight(a, b, c, d)]);
     try_drawn::<P, T, 3>("smoothed_pressure", [any, any, positive], |[x, c, w]| {
         vec![smoothed_pressure(x, c, w, Symbol::lit(0.45), Symbol::lit(0.55))]
     });

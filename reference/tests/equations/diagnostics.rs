@@ -120,6 +120,10 @@ fn cold_gas_is_excluded_or_floored() {
     let all = entropy_changes(start, now, 0.4, ColdGas::Excluded { floor: 0.0 }).unwrap();
     assert_eq!((all.cold, all.changes[2]), (1, None));
     assert!(all.mean > 6.0, "{}", all.mean);
+    // Overcooled gas has no logarithm either.
+    let overcooled = GasColumns { energy: &[-2.0, 3.0, 5.0, 4.0], density: &density };
+    let without = entropy_changes(start, overcooled, 0.4, ColdGas::Excluded { floor: 0.0 }).unwrap();
+    assert_eq!((without.cold, without.changes[0]), (2, None));
     let floored = entropy_changes(start, now, 0.4, ColdGas::Floored { floor: 1.0 }).unwrap();
     assert_eq!(floored.cold, 3);
     let due = (2.0 * ln2 + 3_f64.ln() + 5_f64.ln()) / 4.0;
@@ -143,6 +147,25 @@ fn what_has_no_entropy_is_refused() {
     {
         let refused = entropy_changes(gas(&one, &one), gas(&one, &one), 0.4, bad);
         assert!(matches!(refused, Err(EntropyError::Floor { .. })), "{bad:?}");
+    }
+    // Whatever the column: what is not finite is refused; so is a density that is not positive, while such an energy is only cold.
+    for (bad, only_cold) in
+        [(f64::NAN, false), (f64::INFINITY, false), (f64::NEG_INFINITY, false), (0.0, true), (-1.0, true)]
+    {
+        for column in 0..4 {
+            let values: [[f64; 2]; 4] = std::array::from_fn(|k| if k == column { [1.0, bad] } else { [1.0, 1.0] });
+            let [energy_0, density_0, energy, density] = &values;
+            let start = GasColumns { energy: energy_0, density: density_0 };
+            match entropy_changes(start, GasColumns { energy, density }, 0.4, usual) {
+                Ok(changes) => {
+                    assert!(only_cold && column % 2 == 0 && changes.changes[1].is_none() && changes.cold == 1)
+                }
+                Err(error) => assert!(
+                    !(only_cold && column % 2 == 0) && error.to_string().starts_with("particle 1 has the "),
+                    "{error}"
+                ),
+            }
+        }
     }
     let none = entropy_changes(gas(&one, &one), gas(&one, &one), 0.4, ColdGas::Excluded { floor: 1.0 });
     assert!(matches!(none, Err(EntropyError::AllCold { particles: 1, .. })));

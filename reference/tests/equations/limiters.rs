@@ -108,12 +108,15 @@ fn limiters_hold_for_all_slopes() {
 /// Smaller than the smallest normal number: a processor that keeps such numbers gives the slope, one that does not gives zero, none NaN.
 #[test]
 fn limiters_survive_subnormal_slopes() {
-    let tiny = f64::from_bits(3);
-    for limiter in LIMITERS {
-        let got = limited_slope(limiter, tiny, tiny);
-        assert!(got == tiny || got == 0.0, "{limiter}: {got:e}");
-        assert!(limited_slope(limiter, tiny, 1.0) <= 2.0 * tiny, "{limiter}");
+    fn check<T: Float>(tiny: T) {
+        for limiter in LIMITERS {
+            let got = limited_slope(limiter, tiny, tiny).to_f64();
+            assert!(got == tiny.to_f64() || got == 0.0, "{limiter}: {got:e}");
+            assert!(limited_slope(limiter, tiny, T::one()).to_f64() <= 2.0 * tiny.to_f64(), "{limiter}");
+        }
     }
+    check(f64::from_bits(3));
+    check(f32::from_bits(3));
 }
 
 /// By itself: whatever the size, zero has no sign in common with anything.

@@ -1,5 +1,7 @@
-//! What only a run through time shows: the integrator's order, and that scenes converge to their exact solutions.
+//! What only a run through time shows: the integrator's order, that scenes converge to their exact solutions, and that a run stops
+//! that has gone wrong.
 
+mod bad_input;
 mod misuse;
 mod order;
 mod sod;

@@ -18,7 +18,7 @@ pub const CENTRAL_PRESSURE: f64 = 5.0;
 /// Source: GS25 (22).
 #[equation("gs25:22")]
 pub fn vortex_velocity<R: Real>(psi: R, largest_velocity: R) -> R {
-    largest_velocity * psi.min(2.0 - psi).max(0.0)
+    largest_velocity * 0.0.max(psi.min(2.0 - psi))
 }
 
 /// The pressure that holds the vortex together, `P_0 + 4 rho_0 v_0^2 s` with `s = psi^2/8`, `psi^2/8 - psi + ln psi + 1`, `ln 2 - 1/2` in the

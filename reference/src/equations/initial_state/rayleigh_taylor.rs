@@ -44,9 +44,9 @@ impl Balance {
 pub fn layered_pressure<R: Real>(y: R, bottom_pressure: R, density: [R; 2], gravity: R, interface: R, layer: R) -> R {
     let [lower, upper] = density;
     let (floor, ceiling) = (interface - 0.5 * layer, interface + 0.5 * layer);
-    let below = y.min(floor);
-    let within = y.min(ceiling).max(floor) - floor;
-    let above = (y - ceiling).max(0.0);
+    let below = floor.min(y);
+    let within = floor.max(ceiling.min(y)) - floor;
+    let above = 0.0.max(y - ceiling);
     let column = lower * below + 0.5 * (lower + upper) * within + upper * above;
     bottom_pressure + gravity * column
 }
@@ -57,7 +57,7 @@ pub fn layered_pressure<R: Real>(y: R, bottom_pressure: R, density: [R; 2], grav
 /// Source: GS25 (26).
 #[equation("gs25:26")]
 pub fn plume_seed<R: Real>(x: R, y: R, amplitude: R, interface: R, layer: R) -> R {
-    let depth = (0.5 - (y - interface).abs() / layer).max(0.0);
+    let depth = 0.0.max(0.5 - (y - interface).abs() / layer);
     let sideways = sine_of_turns(0.5 * x);
     let upwards = sine_of_turns(0.5 * depth);
     4.0 * amplitude * (sideways * sideways) * (upwards * upwards)
