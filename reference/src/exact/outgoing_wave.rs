@@ -197,6 +197,25 @@ mod tests {
         assert!(velocity < 1e-3 * FAINT && density * wave.sound_speed < 1e-3 * FAINT, "{velocity:e}, {density:e}");
     }
 
+    /// At the amplitude of GS25 the full equations steepen the wave into shocks, and it is 0.02 away from the linear one in the mean over the radius:
+    /// no scheme should be ranked by its distance from that. With the surface displaced as well it is 0.0203.
+    #[test]
+    fn strong_wave_is_not_that_of_linear_acoustics() {
+        fn surface(t: f64) -> f64 {
+            0.16 * (125.663_706_143_591_72 * t).sin()
+        }
+        let wave = membrane();
+        let rest = |_: f64| State { density: 1.0, velocity: 0.0, pressure: 1.0 };
+        let ends = [End::Piston(surface), End::Open];
+        let mut flow = FiniteVolume::new(2, 5.0 / 3.0, (0.035, 0.5), 1000, ends, rest).unwrap();
+        flow.run(0.35).unwrap();
+        let off = |i: usize| (flow.state(i).velocity - wave.at(flow.centre(i), 0.35).velocity).abs();
+        let mean = (0..1000).step_by(4).map(off).sum::<f64>() / 250.0;
+        println!("mean distance {mean:e}");
+        // 1.953e-2, 1.979e-2, 1.994e-2 with 1000, 2000, 4000 cells.
+        assert!((mean - 1.95e-2).abs() < 5e-4, "{mean:e} where 1.95e-2 is recorded");
+    }
+
     #[test]
     fn what_is_no_wave_is_refused() {
         let message = OutgoingWave::new(0.0, 1.0, 1.0, 1.0).unwrap_err().to_string();
