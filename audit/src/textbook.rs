@@ -97,7 +97,7 @@ static TEXTBOOKS: LazyLock<Vec<Textbook>> = LazyLock::new(|| {
         },
         textbook! {
             "kernels::quintic_spline 3-D": |x| pair(forms::quintic_spline(x[0]));
-            r"B\,(243 - 405 q + 270 q^2 - 90 q^3 + 15 q^4 - q^5)\ \text{for}\ 2 \le q < 3,\ \text{and so on}";
+            r"B\,(243 - 405 q + 270 q^2 - 90 q^3 + 15 q^4 - q^5)\ \ldots";
             "the piecewise polynomial of Morris 1996, multiplied out";
             "near the edge hundreds cancel to almost nothing; the code keeps the truncated powers";
             |_| true
