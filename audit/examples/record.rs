@@ -1,17 +1,24 @@
-//! What `etalon audit --record` does, without building what runs scenes: measures every equation on every target and writes
-//! `audit/budgets.toml` and `audit/equations.toml`. Run `cargo run --release -p etalon-audit --example record`.
+//! What `etalon audit --record` does, without building what runs scenes or a graphics adapter: measures every equation on every target that
+//! runs here and writes the records in `audit/`. Run `cargo run --release -p etalon-audit --example record`.
+//!
+//! Figures of adapters stay as they are where the equation's text does.
 
-use etalon_audit::{Budgets, Encoded, FULL_SAMPLES, Reach, measure_all};
+use etalon_audit::{Catalogue, FULL_SAMPLES, State, Survey};
 use std::path::Path;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let measurements = measure_all(FULL_SAMPLES, |probe, done, all| eprintln!("{done}/{all} {probe}"));
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/budgets.toml");
-    std::fs::write(path, Budgets::of(&measurements).to_toml()?)?;
+    let mut catalogue = Catalogue::load()?;
+    let progress = |probe: &str, done, all| eprintln!("{done}/{all} {probe}");
+    let survey = Survey::of(&catalogue, None, FULL_SAMPLES, None, progress)?;
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
-    let encoded = Encoded::now(root, &Reach::recorded()?)?;
-    std::fs::write(root.join("audit/equations.toml"), encoded.to_toml()?)?;
-    let violations: usize = measurements.iter().map(|measurement| measurement.violation_count).sum();
-    eprintln!("{} measurements, {violations} results outside of their budget", measurements.len());
+    catalogue.record(&survey, FULL_SAMPLES, root)?;
+    for path in catalogue.write_records(root)? {
+        eprintln!("{} written", path.display());
+    }
+    let regressions = State::of(&catalogue, &survey).regressions;
+    for worse in &regressions {
+        eprintln!("{}: {}", worse.subject, worse.message);
+    }
+    eprintln!("{} regressions that no record excuses", regressions.len());
     Ok(())
 }

@@ -1,10 +1,14 @@
 //! The record of budgets and figures, `audit/budgets.toml`, and what is wrong if a measurement does not fit it.
 //!
+//! Of what a device ran there is a record for each device, with the mark of the text it ran.
+//!
 //! A *budget* is the largest of the bounds that follow from the operations, in ulps of the natural scale. Each result is held
 //! against the bound for its own inputs, which is proven to first order in the unit roundoff. The *worst* figures are measured. Inputs are always the same, so on any machine a measurement with as
 //! many samples gives the recorded figures to the last digit, and one with fewer gives no larger ones.
 
-use crate::measure::{Measurement, Worst, measure_targets};
+use crate::device::text_mark;
+use crate::measure::{Measurement, Worst};
+use crate::probe::Probe;
 use crate::probes::probes;
 use crate::target::{Label, Target};
 use serde::{Deserialize, Serialize};
@@ -23,6 +27,13 @@ pub struct Record {
     pub probe: String,
     /// The target's name.
     pub target: String,
+    /// The device, where one ran it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub adapter: Option<String>,
+    /// The mark of the text that the device ran.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "text")]
+    pub text_mark: Option<String>,
     /// How many inputs were tried.
     pub inputs: usize,
     /// The largest of the bounds that follow from the operations, in ulps of the natural scale.
@@ -51,9 +62,11 @@ impl Record {
         Record {
             probe: measurement.probe.clone(),
             target: measurement.target.name().to_string(),
+            adapter: measurement.device.as_ref().map(|device| device.adapter.clone()),
+            text_mark: measurement.device.as_ref().map(|device| device.text.clone()),
             inputs: measurement.inputs,
             budget: rounded_up(measurement.budget),
-            budget_label: Label::Proven,
+            budget_label: measurement.target.budget_label(),
             worst: rounded_up(ulps),
             worst_label: Label::Measured,
             worst_output: output,
@@ -64,8 +77,17 @@ impl Record {
     }
 }
 
+impl Record {
+    /// Whether a device's figure is one of the text that is printed now; figures that no device made always are.
+    #[must_use]
+    pub fn is_of_this_text(&self) -> bool {
+        let probe = || probes().iter().find(|probe: &&Probe| probe.key() == self.probe);
+        self.text_mark.is_none() || probe().and_then(text_mark) == self.text_mark
+    }
+}
+
 /// Three significant digits, never below the value.
-fn rounded_up(value: f64) -> f64 {
+pub(crate) fn rounded_up(value: f64) -> f64 {
     if value == 0.0 || !value.is_finite() {
         return value;
     }
@@ -73,11 +95,6 @@ fn rounded_up(value: f64) -> f64 {
     let text = format!("{:.2e}", (value / unit).ceil() * unit);
     text.parse().unwrap_or(value) // a printed number always reads back
 }
-
-/// Why the record cannot be read.
-#[derive(Debug, thiserror::Error)]
-#[error("audit/budgets.toml cannot be read: {0}; write it anew with `etalon audit --record`")]
-pub struct UnreadableRecord(#[from] toml::de::Error);
 
 /// What does not fit the record.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -160,20 +177,6 @@ pub struct Budgets {
 }
 
 impl Budgets {
-    /// The record that is checked in.
-    ///
-    /// # Errors
-    /// [`UnreadableRecord`] if the file was damaged; none occurs in a build whose tests pass.
-    pub fn recorded() -> Result<Self, UnreadableRecord> {
-        Self::parse(include_str!("../budgets.toml"))
-    }
-    /// From the text of a record.
-    ///
-    /// # Errors
-    /// [`UnreadableRecord`], which says what is wrong with the text.
-    pub fn parse(text: &str) -> Result<Self, UnreadableRecord> {
-        Ok(toml::from_str(text)?)
-    }
     /// Of measurements.
     #[must_use]
     pub fn of(measurements: &[Measurement]) -> Self {
@@ -191,10 +194,42 @@ impl Budgets {
 ";
         Ok(format!("{head}\n{}", toml::to_string(self)?))
     }
-    /// The record of a probe on a target.
+    /// The record of a probe on a target; of several devices the first.
     #[must_use]
     pub fn get(&self, probe: &str, target: Target) -> Option<&Record> {
         self.records.iter().find(|record| record.probe == probe && record.target == target.name())
+    }
+    /// The record that a measurement is to be held against: of the same device, where one ran it.
+    pub(crate) fn counterpart(&self, measurement: &Measurement) -> Option<&Record> {
+        let adapter = measurement.device.as_ref().map(|device| device.adapter.as_str());
+        let is_it = |record: &&Record| {
+            record.probe == measurement.probe
+                && record.target == measurement.target.name()
+                && record.adapter.as_deref() == adapter
+        };
+        self.records.iter().find(is_it)
+    }
+    /// These records, and those of devices that were not there this time, as far as they are still of the text that is printed now.
+    #[must_use]
+    pub fn with_absent_devices(mut self, old: &Budgets) -> Self {
+        let is_known = |record: &&Record| {
+            self.records
+                .iter()
+                .any(|new| new.probe == record.probe && new.target == record.target && new.adapter == record.adapter)
+        };
+        let kept: Vec<Record> = old
+            .records
+            .iter()
+            .filter(|record| record.adapter.is_some() && !is_known(record) && record.is_of_this_text())
+            .cloned()
+            .collect();
+        for record in kept {
+            // Behind the others of its probe; what has no other is not measured any more.
+            if let Some(last) = self.records.iter().rposition(|other| other.probe == record.probe) {
+                self.records.insert(last + 1, record);
+            }
+        }
+        self
     }
     /// What of a measurement does not fit the record; nothing if all is well.
     #[must_use]
@@ -213,8 +248,11 @@ impl Budgets {
                 inputs: first.inputs,
             });
         }
-        let Some(record) = self.get(&probe, measurement.target) else {
-            regressions.push(Regression::NotRecorded { probe, target });
+        let Some(record) = self.counterpart(measurement) else {
+            // A device that is new has nothing to be held against but its budget.
+            if measurement.device.is_none() {
+                regressions.push(Regression::NotRecorded { probe, target });
+            }
             return regressions;
         };
         let Worst { ulps, output, inputs } = measurement.of_scale.clone();
@@ -237,18 +275,6 @@ impl Budgets {
             |record: &Record| Regression::NoSuchProbe { probe: record.probe.clone(), target: record.target.clone() };
         self.records.iter().filter(|record| !exists(record)).map(regression).collect()
     }
-}
-
-/// Measures every probe on every target, on all hard inputs and at least `samples` random ones; `progress` hears of each one
-/// before it is measured, with how many are done and how many there are.
-pub fn measure_all(samples: usize, mut progress: impl FnMut(&str, usize, usize)) -> Vec<Measurement> {
-    let probes = probes();
-    let mut measurements = Vec::with_capacity(probes.len() * Target::ALL.len());
-    for (done, probe) in probes.iter().enumerate() {
-        progress(&probe.key(), done, probes.len());
-        measurements.extend(measure_targets(probe, &Target::ALL, samples));
-    }
-    measurements
 }
 
 #[cfg(test)]

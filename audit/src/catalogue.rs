@@ -1,8 +1,11 @@
 //! Everything that is known of the equations, in one place: the ledger, the registry, the records.
 
-use crate::budgets::{Budgets, UnreadableRecord};
+use crate::budgets::Budgets;
 use crate::encoded::{Encoded, path_of};
+use crate::gains::Gains;
+use crate::ranges::Ranges;
 use crate::reach::Reach;
+use crate::records::RecordError;
 use etalon_kernels_gen::{EquationEntry, registered};
 use etalon_spec::{EquationId, IdError, Ledger, LedgerError};
 
@@ -17,6 +20,10 @@ pub struct Catalogue {
     pub budgets: Budgets,
     /// The recorded equations.
     pub encoded: Encoded,
+    /// The recorded ranges.
+    pub ranges: Ranges,
+    /// The recorded gains over textbook forms.
+    pub gains: Gains,
     /// The tests that reach them.
     pub reach: Reach,
 }
@@ -27,19 +34,9 @@ pub enum CatalogueError {
     /// The ledger is damaged.
     #[error(transparent)]
     Ledger(#[from] LedgerError),
-    /// The record of budgets is.
+    /// A record is.
     #[error(transparent)]
-    Budgets(#[from] UnreadableRecord),
-    /// Another record is.
-    #[error("{file} cannot be read: {source}; {remedy}")]
-    Record {
-        /// Which.
-        file: &'static str,
-        /// What is wrong with it.
-        source: toml::de::Error,
-        /// How to get it back.
-        remedy: &'static str,
-    },
+    Record(#[from] RecordError),
 }
 
 /// What is asked about: a numbered equation, or a function.
@@ -70,22 +67,28 @@ impl Catalogue {
     /// # Errors
     /// [`CatalogueError`] if a file was damaged; none occurs in a build whose tests pass.
     pub fn load() -> Result<Self, CatalogueError> {
-        let record = |file, remedy| move |source| CatalogueError::Record { file, source, remedy };
-        Ok(Catalogue {
+        let catalogue = Catalogue {
             ledger: Ledger::load()?,
             entries: registered(),
-            budgets: Budgets::recorded()?,
-            encoded: Encoded::recorded()
-                .map_err(record("audit/equations.toml", "write it anew with `etalon audit --record`"))?,
-            reach: Reach::recorded()
-                .map_err(record("tests/mutants/", "write it anew with `cargo run -p etalon-mutants`"))?,
-        })
+            budgets: Budgets::default(),
+            encoded: Encoded::default(),
+            ranges: Ranges::default(),
+            gains: Gains::default(),
+            reach: Reach::recorded().map_err(RecordError::unreadable(
+                "tests/mutants/",
+                "write it anew with `cargo run -p etalon-mutants`",
+            ))?,
+        };
+        Ok(catalogue.with_built_in_records()?)
     }
 
-    /// The functions that encode an equation.
+    /// The functions that encode an equation: first those that run on all targets.
     pub fn functions(&self, id: EquationId) -> impl Iterator<Item = &'static EquationEntry> {
         let id = id.to_string();
-        self.entries.iter().copied().filter(move |entry| entry.ids.contains(&id.as_str()))
+        let encodes = |entry: &&EquationEntry| entry.ids.contains(&id.as_str());
+        let mut entries: Vec<_> = self.entries.iter().copied().filter(encodes).collect();
+        entries.sort_by_key(|entry| is_host(entry));
+        entries.into_iter()
     }
     /// The definitions without a number.
     pub fn unnumbered(&self) -> impl Iterator<Item = &'static EquationEntry> {

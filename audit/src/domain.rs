@@ -72,6 +72,19 @@ impl Domain {
         let all = || self.hard.iter().copied();
         (all().fold(least, f64::min), all().fold(self.high, f64::max))
     }
+    /// The connected parts it is made of, by their ends: the range, its mirror image where either sign is meant, and single values beside them.
+    pub fn parts(&self) -> Vec<(f64, f64)> {
+        let mut parts = vec![(self.low, self.high)];
+        if self.spread == Spread::EitherSign {
+            parts.push((-self.high, -self.low));
+        }
+        for &value in &self.hard {
+            if !parts.iter().any(|(low, high)| (*low..=*high).contains(&value)) {
+                parts.push((value, value));
+            }
+        }
+        parts
+    }
     /// The value at a place of the range: `0 <= place < 1`.
     pub fn at(&self, place: f64) -> f64 {
         // Evenly in the bits of an f64, which is nearly evenly in the logarithm, and the same on every machine.
@@ -140,6 +153,16 @@ mod tests {
         }
         assert_eq!(any(1e-2, 10.0).hull(), (-10.0, 10.0));
         assert_eq!(not_negative(1e-2, 10.0).hull(), (0.0, 10.0));
+    }
+
+    #[test]
+    fn a_domain_is_made_of_its_parts() {
+        assert_eq!(any(1e-2, 10.0).with(&[1.0]).parts(), [(1e-2, 10.0), (-10.0, -1e-2), (0.0, 0.0)]);
+        assert_eq!(between(0.0, 4.0).with(&[1.0, 5.0]).parts(), [(0.0, 4.0), (5.0, 5.0)]);
+        for domain in [any(1e-2, 10.0), not_negative(1e-3, 1.0), between(-1.0, 2.0).with(&[3.0])] {
+            let inside = |value: f64| domain.parts().iter().any(|(low, high)| (*low..=*high).contains(&value));
+            assert!(domain.hard().into_iter().all(inside) && (0..99).all(|k| inside(domain.at(f64::from(k) / 99.0))));
+        }
     }
 
     #[test]

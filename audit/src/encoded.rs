@@ -65,13 +65,6 @@ impl Vanished {
 }
 
 impl Encoded {
-    /// The record that is checked in.
-    ///
-    /// # Errors
-    /// What TOML's reader says; none in a build whose tests pass.
-    pub fn recorded() -> Result<Self, toml::de::Error> {
-        toml::from_str(include_str!("../equations.toml"))
-    }
     /// Of this program, with the tests that call equations found in the tree at `root`.
     ///
     /// # Errors

@@ -30,10 +30,12 @@ mod bad_input;
 mod budgets;
 mod catalogue;
 mod declare;
+mod device;
 mod domain;
 mod enclosure;
 mod encoded;
 mod formula;
+mod gains;
 pub mod gauge;
 mod interval;
 mod measure;
@@ -42,35 +44,43 @@ pub mod page;
 mod probe;
 mod probes;
 mod quad;
+mod ranges;
 mod reach;
+mod records;
 mod sample;
 mod shaped;
 mod state;
 mod target;
+mod textbook;
 mod units;
 
 pub use bad_input::{
     BadInputFault, Kind, Outcome, Trial, Unnumbered, differences as bad_input_differences, not_caught, of_unnumbered,
     outcomes, trials, unsaid,
 };
-pub use budgets::{Budgets, FULL_SAMPLES, Record, Regression, UnreadableRecord, measure_all};
+pub use budgets::{Budgets, FULL_SAMPLES, Record, Regression};
 pub use catalogue::{Catalogue, CatalogueError, Subject, Unknown, is_host};
+pub use device::{Device, DeviceError, text_mark};
 pub use domain::{Domain, Spread, any, between, not_negative, positive};
-pub use enclosure::{Enclosure, enclose};
+pub use enclosure::{Enclosure, Gap, enclose};
 pub use encoded::{Encoded, EncodedFunction, Vanished, path_of};
 pub use formula::formula;
+pub use gains::{Gain, GainErrors, Gains};
 pub use gauge::Gauge;
 pub use interval::{Decided, Interval};
-pub use measure::{Measurement, Violation, Worst, measure, measure_inputs, measure_targets};
+pub use measure::{Measurement, RunBy, Violation, Worst, measure, measure_inputs, measure_on, measure_targets};
 pub use number::{Body, Evaluators, Number};
 pub use probe::{Argument, Declaration, Name, Probe, Quantity, WrongCount, own};
 pub use probes::{of_equation, probes};
 pub use quad::{NotANumber, Quad};
+pub use ranges::{BOXES, Range, Ranges};
 pub use reach::{Equivalent, Mutants, Noticed, Reach};
-pub use sample::{hard_inputs, random_inputs};
+pub use records::RecordError;
+pub use sample::{all_inputs, hard_inputs, random_inputs};
 pub use shaped::{Shaped, take};
 pub use state::{Error as TargetError, Row, State, Survey, Worse};
 pub use target::{Label, Target, UnknownTarget};
+pub use textbook::{Elementary, Errors, Textbook, textbooks};
 pub use units::{UnitFault, check_units};
 
 /// What [`probe!`] refers to. Not for direct use.

@@ -1,8 +1,9 @@
 //! Measuring a probe on a target against the oracle.
 
+use crate::device::{Device, DeviceError, call, text_mark};
 use crate::probe::Probe;
 use crate::quad::Quad;
-use crate::sample::{BLOCK, hard_inputs, random_inputs};
+use crate::sample::{BLOCK, all_inputs};
 use crate::target::Target;
 use etalon_kernels_gen::Precision;
 use rayon::prelude::*;
@@ -43,6 +44,8 @@ pub struct Measurement {
     pub probe: String,
     /// The target.
     pub target: Target,
+    /// The device that ran it, and the mark of the text it ran; only of what a device ran.
+    pub device: Option<RunBy>,
     /// How many inputs were tried, hard ones included.
     pub inputs: usize,
     /// The largest error in ulps of the true result. Of an equation that cancels it may be of any size.
@@ -61,6 +64,15 @@ pub struct Measurement {
     pub violations: Vec<Violation>,
 }
 
+/// Who ran the text of an equation, and which text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RunBy {
+    /// The device's name.
+    pub adapter: String,
+    /// The text's mark; see [`text_mark`].
+    pub text: String,
+}
+
 /// Violations beyond these are counted, not kept.
 const VIOLATIONS_KEPT: usize = 3;
 
@@ -72,18 +84,45 @@ pub fn measure(probe: &Probe, target: Target, samples: usize) -> Measurement {
 }
 
 /// The same for several targets, which are measured on the same inputs against the same evaluation of the oracle if they have the
-/// same precision.
+/// same precision. [`Target::WgslSingle`] needs a device and is passed over: see [`measure_on`].
 #[must_use]
 pub fn measure_targets(probe: &Probe, targets: &[Target], samples: usize) -> Vec<Measurement> {
-    let hard = hard_inputs(probe);
-    let of_hard = hard.par_chunks(BLOCK).map(|inputs| measure_inputs(probe, targets, inputs));
-    let blocks = samples.div_ceil(BLOCK);
-    let of_random =
-        (0..blocks).into_par_iter().map(|block| measure_inputs(probe, targets, &random_inputs(probe, block)));
+    gathered(probe, targets, &all_inputs(probe, samples), None)
+}
+
+/// Measures a probe on all targets that run here, and on a device if there is one.
+///
+/// # Errors
+/// [`DeviceError`] if the device did not run it.
+pub fn measure_on(probe: &Probe, device: Option<&dyn Device>, samples: usize) -> Result<Vec<Measurement>, DeviceError> {
+    let inputs = all_inputs(probe, samples);
+    let Some(device) = device else { return Ok(gathered(probe, &Target::HERE, &inputs, None)) };
+    let target = Target::WgslSingle;
+    let rounded: Vec<Vec<f64>> = inputs.iter().map(|row| row.iter().map(|x| target.round(*x)).collect()).collect();
+    let found = call(device, probe, &rounded)?;
+    let mut measurements = gathered(probe, &Target::ALL, &inputs, Some(&found));
+    let run_by = RunBy { adapter: device.name(), text: text_mark(probe).unwrap_or_default() };
+    for measurement in measurements.iter_mut().filter(|measurement| measurement.target == target) {
+        measurement.device = Some(run_by.clone());
+    }
+    Ok(measurements)
+}
+
+/// The measurements of all blocks of inputs, put together in their order.
+fn gathered(
+    probe: &Probe,
+    targets: &[Target],
+    inputs: &[Vec<f64>],
+    of_device: Option<&[Vec<f64>]>,
+) -> Vec<Measurement> {
+    let block = |(number, inputs): (usize, &[Vec<f64>])| {
+        let first = BLOCK * number;
+        measure_block(probe, targets, inputs, of_device.map(|found| &found[first..first + inputs.len()]))
+    };
     let nothing = targets.iter().map(|target| Measurement::nothing(probe, *target)).collect();
     let join =
         |all: Vec<Measurement>, more: Vec<Measurement>| all.into_iter().zip(more).map(|(a, b)| a.and(b)).collect();
-    of_hard.chain(of_random).collect::<Vec<_>>().into_iter().fold(nothing, join)
+    inputs.par_chunks(BLOCK).enumerate().map(block).collect::<Vec<_>>().into_iter().fold(nothing, join)
 }
 
 impl Measurement {
@@ -92,6 +131,7 @@ impl Measurement {
         Measurement {
             probe: probe.key(),
             target,
+            device: None,
             inputs: 0,
             of_result: none.clone(),
             of_scale: none,
@@ -132,9 +172,19 @@ impl Measurement {
 /// Measures a probe on given inputs, one after the other: one measurement for each target.
 #[must_use]
 pub fn measure_inputs(probe: &Probe, targets: &[Target], inputs: &[Vec<f64>]) -> Vec<Measurement> {
+    measure_block(probe, targets, inputs, None)
+}
+
+/// The same, with what a device found for each of the inputs.
+fn measure_block(
+    probe: &Probe,
+    targets: &[Target],
+    inputs: &[Vec<f64>],
+    of_device: Option<&[Vec<f64>]>,
+) -> Vec<Measurement> {
     let mut measurements: Vec<_> = targets.iter().map(|target| Measurement::nothing(probe, *target)).collect();
     let outputs = probe.output_names();
-    for raw in inputs {
+    for (place, raw) in inputs.iter().enumerate() {
         // What targets of one precision have in common.
         let mut known: Vec<(Precision, Truth)> = Vec::new();
         for measurement in &mut measurements {
@@ -143,8 +193,14 @@ pub fn measure_inputs(probe: &Probe, targets: &[Target], inputs: &[Vec<f64>]) ->
             if !known.iter().any(|(of, _)| *of == precision) {
                 known.push((precision, Truth::new(probe, target, raw)));
             }
-            if let Some((_, truth)) = known.iter().find(|(of, _)| *of == precision) {
-                measurement.add(truth, target.run(probe, &truth.inputs), &outputs);
+            let Some((_, truth)) = known.iter().find(|(of, _)| *of == precision) else { continue };
+            match (target, of_device) {
+                (Target::WgslSingle, None) => {}
+                (Target::WgslSingle, Some(found)) => {
+                    let gauges = target.gauge(probe, &truth.inputs);
+                    measurement.add(truth, &gauges, &found[place], &outputs);
+                }
+                _ => measurement.add(truth, &truth.gauges, &target.run(probe, &truth.inputs), &outputs),
             }
         }
     }
@@ -172,13 +228,11 @@ impl Truth {
 }
 
 impl Measurement {
-    /// Takes in what the target found for one set of inputs.
-    fn add(&mut self, truth: &Truth, found: Vec<f64>, outputs: &[String]) {
+    /// Takes in what the target found for one set of inputs; the gauges are the target's own.
+    fn add(&mut self, truth: &Truth, gauges: &[(f64, f64)], found: &[f64], outputs: &[String]) {
         let target = self.target;
         self.inputs += 1;
-        for (((output, result), found), (scale, bound)) in
-            outputs.iter().zip(&truth.results).zip(found).zip(&truth.gauges)
-        {
+        for (((output, result), &found), (scale, bound)) in outputs.iter().zip(&truth.results).zip(found).zip(gauges) {
             let expected = result.to_f64();
             let allowed = SECOND_ORDER * bound;
             let inputs = &truth.inputs;

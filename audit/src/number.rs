@@ -3,7 +3,7 @@
 //! A probe's body is generic over [`Real`], so it has no single address that a list of probes could hold. The types it is
 //! evaluated with are few, though, and [`Evaluators`] holds the body once for each. A type is entered here, and nowhere else.
 
-use crate::gauge::Gauge;
+use crate::gauge::{Gauge, Wgsl};
 use crate::interval::Interval;
 use crate::quad::Quad;
 use etalon_kernels_gen::dual::Dual;
@@ -50,6 +50,7 @@ numbers! {
     quad: Quad,
     gauge_single: Gauge<Single>,
     gauge_double: Gauge<Double>,
+    gauge_wgsl: Gauge<Wgsl>,
     interval: Interval,
     dual: Dual,
     symbol_single: Symbol<Single>,

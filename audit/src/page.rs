@@ -3,6 +3,7 @@
 mod bad_values;
 mod book;
 mod figures;
+mod indices;
 mod markdown;
 mod mathml;
 mod text;
@@ -18,8 +19,10 @@ use crate::budgets::Record;
 use crate::catalogue::{Catalogue, Subject, is_host};
 use crate::encoded::path_of;
 use crate::formula::formula;
+use crate::gains::Gain;
 use crate::probe::{Argument, Probe, Quantity};
 use crate::probes::of_equation;
+use crate::ranges::Range;
 use crate::reach::Mutants;
 use etalon_kernels_gen::EquationEntry;
 use etalon_kernels_gen::emit::{EmitError, Header, MulAdd, wgsl};
@@ -160,6 +163,12 @@ pub struct Call {
     /// Recorded errors, by target.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub figures: Vec<Record>,
+    /// What each result can be at all.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub ranges: Vec<Range>,
+    /// What is gained over textbook forms.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub gains: Vec<Gain>,
 }
 
 /// An argument or a result.
@@ -327,7 +336,8 @@ impl Call {
             let mut symbols = ids.iter().flat_map(|id| &catalogue.ledger.get(*id).symbols);
             symbols.find(|symbol| symbol.latex == latex).map(|symbol| symbol.name.clone())
         };
-        let of_probe = |record: &&Record| record.probe == probe.key();
+        let key = probe.key();
+        let of_probe = |record: &&Record| record.probe == key && record.is_of_this_text();
         let printed = is_shown.then(|| formula(probe)).transpose().map_err(not_drawn)?;
         Ok(Call {
             probe: probe.key(),
@@ -343,6 +353,8 @@ impl Call {
             formula: printed.map(|formula| formula.trim_end().to_string()),
             wgsl: wgsl.map_err(|source| PageError::NotPrinted { probe: probe.key(), source })?,
             figures: catalogue.budgets.records.iter().filter(of_probe).cloned().collect(),
+            ranges: catalogue.ranges.of(&key).cloned().collect(),
+            gains: catalogue.gains.gains.iter().filter(|gain| gain.probe == key).cloned().collect(),
         })
     }
 }

@@ -6,6 +6,7 @@
 use crate::probe::Probe;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
 
 /// Hard values are combined systematically up to this number of inputs.
 const MOST_COMBINATIONS: usize = 4096;
@@ -62,12 +63,22 @@ fn combination(choices: &[Vec<f64>], mut index: usize) -> Vec<f64> {
 
 /// The generator of a block: a function of the probe's name and the block, and of nothing else.
 fn generator(probe: &Probe, block: u64) -> Pcg64Mcg {
-    // Fowler, Noll and Vo's hash, which is the same everywhere and for ever.
-    let hash = probe
-        .key()
-        .bytes()
-        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
-    let mut random = Pcg64Mcg::seed_from_u64(hash ^ block.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    let mut random = Pcg64Mcg::seed_from_u64(hash(&probe.key()) ^ block.wrapping_mul(0x9e37_79b9_7f4a_7c15));
     random.next_u64();
     random
+}
+
+/// Fowler, Noll and Vo's hash, which is the same everywhere and for ever.
+pub(crate) fn hash(text: &str) -> u64 {
+    text.bytes()
+        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
+}
+
+/// All inputs of a measurement: the hard ones, then at least so many random ones.
+#[must_use]
+pub fn all_inputs(probe: &Probe, samples: usize) -> Vec<Vec<f64>> {
+    let mut inputs = hard_inputs(probe);
+    let random = (0..samples.div_ceil(BLOCK)).into_par_iter().map(|block| random_inputs(probe, block));
+    inputs.extend(random.collect::<Vec<_>>().into_iter().flatten());
+    inputs
 }

@@ -5,10 +5,11 @@ mod table;
 
 pub use survey::Survey;
 
+use crate::budgets::Record;
 use crate::catalogue::{Catalogue, Subject, is_host};
 use crate::encoded::path_of;
 use crate::measure::Measurement;
-use crate::target::Target;
+use crate::target::{Label, Target};
 use etalon_kernels_gen::EquationEntry;
 use etalon_spec::EquationId;
 use serde::Serialize;
@@ -95,12 +96,21 @@ pub struct Row {
 pub struct Error {
     /// The target.
     pub target: &'static str,
+    /// The device, where one ran it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub adapter: Option<String>,
+    /// Whether it was measured now; if not, the figures are the recorded ones.
+    pub measured: bool,
     /// The probe that it is in.
     pub probe: String,
-    /// The error now.
+    /// The error.
     pub worst: f64,
-    /// The bound that follows from the operations now.
+    /// How that is known.
+    pub worst_label: Label,
+    /// The bound that follows from the operations.
     pub budget: f64,
+    /// How that is known.
+    pub budget_label: Label,
     /// The error recorded for this probe.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub recorded_worst: Option<f64>,
@@ -207,16 +217,44 @@ impl Findings<'_> {
             let path = measurement.probe.split(' ').next().unwrap_or_default();
             measurement.target == target && paths.iter().any(|known| known == path)
         };
-        let worst =
-            self.survey.measurements.iter().filter(is_of).max_by(|a, b| a.of_scale.ulps.total_cmp(&b.of_scale.ulps))?;
-        let record = catalogue.budgets.get(&worst.probe, target);
+        let measured = self.survey.measurements.iter().filter(is_of);
+        let Some(worst) = measured.max_by(|a, b| a.of_scale.ulps.total_cmp(&b.of_scale.ulps)) else {
+            return recorded(catalogue, paths, target);
+        };
+        let record = catalogue.budgets.counterpart(worst);
         Some(Error {
             target: target.name(),
+            adapter: worst.device.as_ref().map(|device| device.adapter.clone()),
+            measured: true,
             probe: worst.probe.clone(),
             worst: worst.of_scale.ulps,
+            worst_label: Label::Measured,
             budget: worst.budget,
+            budget_label: target.budget_label(),
             recorded_worst: record.map(|record| record.worst),
             recorded_budget: record.map(|record| record.budget),
         })
     }
+}
+
+/// The largest recorded error of these functions on a target that only a device can run, which is not here.
+fn recorded(catalogue: &Catalogue, paths: &[String], target: Target) -> Option<Error> {
+    let is_of = |record: &&Record| {
+        let path = record.probe.split(' ').next().unwrap_or_default();
+        record.adapter.is_some() && record.target == target.name() && paths.iter().any(|known| known == path)
+    };
+    let records = catalogue.budgets.records.iter().filter(is_of).filter(|record| record.is_of_this_text());
+    let worst = records.max_by(|a, b| a.worst.total_cmp(&b.worst))?;
+    Some(Error {
+        target: target.name(),
+        adapter: worst.adapter.clone(),
+        measured: false,
+        probe: worst.probe.clone(),
+        worst: worst.worst,
+        worst_label: worst.worst_label,
+        budget: worst.budget,
+        budget_label: worst.budget_label,
+        recorded_worst: Some(worst.worst),
+        recorded_budget: Some(worst.budget),
+    })
 }

@@ -1,9 +1,8 @@
 //! What equations are measured on.
 
-use crate::gauge::Gauge;
+use crate::gauge::{Gauge, Promise, Wgsl};
 use crate::number::Number;
 use crate::probe::Probe;
-use etalon_kernels_gen::bounded::Roundoff;
 use etalon_kernels_gen::trace::{Double, Single};
 use etalon_kernels_gen::{Fused, Precision};
 use std::fmt;
@@ -42,11 +41,17 @@ pub enum Target {
     LanesSingle,
     /// A lane of the vector engine in `f64`.
     LanesDouble,
+    /// The equation's WGSL, run by a [`Device`](crate::Device).
+    WgslSingle,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 4] = [Target::ScalarSingle, Target::ScalarDouble, Target::LanesSingle, Target::LanesDouble];
+    pub const ALL: [Target; 5] =
+        [Target::ScalarSingle, Target::ScalarDouble, Target::LanesSingle, Target::LanesDouble, Target::WgslSingle];
+    /// Those that any machine can run.
+    pub const HERE: [Target; 4] =
+        [Target::ScalarSingle, Target::ScalarDouble, Target::LanesSingle, Target::LanesDouble];
 
     /// Its name, as records and tables write it.
     #[must_use]
@@ -56,14 +61,23 @@ impl Target {
             Target::ScalarDouble => "scalar f64",
             Target::LanesSingle => "lanes f32",
             Target::LanesDouble => "lanes f64",
+            Target::WgslSingle => "wgsl f32",
         }
     }
     /// Its precision.
     #[must_use]
     pub const fn precision(self) -> Precision {
         match self {
-            Target::ScalarSingle | Target::LanesSingle => Precision::Single,
+            Target::ScalarSingle | Target::LanesSingle | Target::WgslSingle => Precision::Single,
             Target::ScalarDouble | Target::LanesDouble => Precision::Double,
+        }
+    }
+    /// How the budget on it is known: it follows from the operations, but what WGSL promises of these a driver has to be believed.
+    #[must_use]
+    pub const fn budget_label(self) -> Label {
+        match self {
+            Target::WgslSingle => Label::Believed,
+            _ => Label::Proven,
         }
     }
     /// What else computes the very same bits, with how that is known.
@@ -78,6 +92,7 @@ impl Target {
             Target::LanesSingle | Target::LanesDouble => {
                 &[("AVX-512, AVX2, portable lanes", Label::Measured), ("NEON lanes", Label::Believed)]
             }
+            Target::WgslSingle => &[],
         }
     }
     /// A number as this target holds it.
@@ -102,9 +117,10 @@ impl Target {
         let exponent = ((value.to_bits() >> 52) & 0x7ff) as i32 - 1023;
         power_of_two(exponent - digits + 1).max(least)
     }
-    /// Runs the equation on numbers this target holds exactly, in its arithmetic.
+    /// Runs the equation on numbers this target holds exactly, in its arithmetic; nothing of what only a device can run.
     pub(crate) fn run(self, probe: &Probe, inputs: &[f64]) -> Vec<f64> {
         match self {
+            Target::WgslSingle => Vec::new(),
             Target::ScalarSingle => values(probe, inputs, |x| x as f32, f64::from),
             Target::ScalarDouble => values(probe, inputs, |x| x, |x: f64| x),
             Target::LanesSingle => values(probe, inputs, |x| Fused(x as f32), |x| f64::from(x.0)),
@@ -113,7 +129,7 @@ impl Target {
     }
     /// The natural scale of each result, and the bound of its error.
     pub(crate) fn gauge(self, probe: &Probe, inputs: &[f64]) -> Vec<(f64, f64)> {
-        fn gauged<P: Roundoff>(probe: &Probe, inputs: &[f64]) -> Vec<(f64, f64)>
+        fn gauged<P: Promise>(probe: &Probe, inputs: &[f64]) -> Vec<(f64, f64)>
         where
             Gauge<P>: Number,
         {
@@ -121,9 +137,10 @@ impl Target {
             let results = probe.evaluate(&inputs).unwrap_or_default();
             results.into_iter().map(|result| (result.scale(), result.bound())).collect()
         }
-        match self.precision() {
-            Precision::Single => gauged::<Single>(probe, inputs),
-            Precision::Double | Precision::Extended => gauged::<Double>(probe, inputs),
+        match self {
+            Target::ScalarSingle | Target::LanesSingle => gauged::<Single>(probe, inputs),
+            Target::ScalarDouble | Target::LanesDouble => gauged::<Double>(probe, inputs),
+            Target::WgslSingle => gauged::<Wgsl>(probe, inputs),
         }
     }
 }
@@ -151,7 +168,7 @@ impl fmt::Display for Target {
 
 /// A name that is no target's.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no target `{0}`; choose one of scalar f32, scalar f64, lanes f32, lanes f64")]
+#[error("there is no target `{0}`; choose one of scalar f32, scalar f64, lanes f32, lanes f64, wgsl f32")]
 pub struct UnknownTarget(String);
 
 impl FromStr for Target {

@@ -8,6 +8,8 @@ mod budgets;
 mod declarations;
 #[path = "audit/derivatives.rs"]
 mod derivatives;
+#[path = "audit/device.rs"]
+mod device;
 #[path = "audit/enclosures.rs"]
 mod enclosures;
 #[path = "audit/formula.rs"]
@@ -18,5 +20,7 @@ mod oracle;
 mod pages;
 #[path = "audit/state.rs"]
 mod state;
+#[path = "audit/textbook.rs"]
+mod textbook;
 #[path = "audit/units.rs"]
 mod units;

@@ -14,7 +14,7 @@ Examples:
   etalon explain sod --scheme AV          passes, fields, memory and work of a step
   etalon emit sod --target wgsl --out DIR  its kernels as text, to read or to port
   etalon bench                            speed of a step on one core
-  etalon audit                            every equation of the papers against its record
+  etalon audit                            every equation of the papers against its record, in seconds
   etalon show gs25:13                     an equation: formula, reading, code, errors, tests
 
 Exit code: 0 if all is well, 1 if a comparison failed its tolerance, something became worse than recorded or a run broke down, 2 for
@@ -189,7 +189,16 @@ pub struct AuditArguments {
     /// One equation only, by its number (gs25:13) or its function (slope_limiter)
     #[arg(long, value_name = "ID", conflicts_with = "record")]
     pub only: Option<String>,
-    /// Make what is found the record that later audits are held against; run it in the root of the sources
+    /// Graphics adapter that runs WGSL, by a part of its name [default: hardware before software]
+    #[arg(long, value_name = "NAME")]
+    pub adapter: Option<String>,
+    /// Do not run WGSL; show what is on record of it
+    #[arg(long, conflicts_with = "adapter")]
+    pub no_adapter: bool,
+    /// Hold what is found against the records in this folder, such as `audit` of another version [default: those built in]
+    #[arg(long, value_name = "DIR", conflicts_with = "record")]
+    pub against: Option<PathBuf>,
+    /// Make what is found the record that later audits are held against (minutes); run it in the root of the sources
     #[arg(long)]
     pub record: bool,
     /// Print JSON

@@ -12,7 +12,7 @@ pub fn show(arguments: &ShowArguments) -> Result<String, Failure> {
     let subject = catalogue.find(&arguments.subject).map_err(|unknown| Failure::BadInput(unknown.to_string()))?;
     let pages = Page::of(&catalogue, &subject).map_err(|error| Failure::Broken(error.to_string()))?;
     if arguments.json {
-        let mut value = json!({ "schema": "etalon-show", "schema_version": 1 });
+        let mut value = json!({ "schema": "etalon-show", "schema_version": 2 });
         super::extend(&mut value, &json!({ "pages": pages }))?;
         return super::to_text(&value);
     }

@@ -1,12 +1,13 @@
 //! All pages, with the indices by paper and by symbol, as files below `docs/`.
 
-use super::markdown::{GENERATED, prose, table};
-use super::mathml::{NoFormula, mathml};
+use super::indices::{by_paper, by_symbol, gains};
+use super::markdown::GENERATED;
+use super::mathml::NoFormula;
 use super::{Page, PageError};
 use crate::catalogue::Catalogue;
 use crate::encoded::path_of;
-use etalon_spec::{Entry, EquationId};
-use std::collections::{BTreeMap, BTreeSet};
+use etalon_spec::EquationId;
+use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -74,18 +75,18 @@ fn file_error(path: &Path) -> impl FnOnce(io::Error) -> BookError {
     move |source| BookError::File { path, source }
 }
 
-fn formula_error(subject: &str) -> impl FnOnce(NoFormula) -> BookError {
+pub(super) fn formula_error(subject: &str) -> impl FnOnce(NoFormula) -> BookError {
     let subject = subject.to_string();
     move |source| BookError::Formula { subject, source }
 }
 
 /// Where a number's page is, below the folder of the equations.
-fn place(id: EquationId) -> String {
+pub(super) fn place(id: EquationId) -> String {
     format!("{}/{}.md", id.paper().key(), id.number())
 }
 
 /// Where a function's page is.
-fn place_of_function(path: &str) -> String {
+pub(super) fn place_of_function(path: &str) -> String {
     format!("unnumbered/{}.md", path.replace("::", "/"))
 }
 
@@ -113,9 +114,10 @@ impl Book {
             progress(&path);
             chapter(&Page::of_function(catalogue, entry)?, &place_of_function(&path), "../../", "  ")?;
         }
-        contents += &format!("- [By symbol]({FOLDER}/symbols.md)\n");
+        contents += &format!("- [By symbol]({FOLDER}/symbols.md)\n- [Gains and ranges]({FOLDER}/gains.md)\n");
         files.insert(Path::new(FOLDER).join("README.md"), by_paper(catalogue)?);
         files.insert(Path::new(FOLDER).join("symbols.md"), by_symbol(catalogue)?);
+        files.insert(Path::new(FOLDER).join("gains.md"), gains(catalogue)?);
         Ok(Book { files, contents })
     }
 
@@ -224,84 +226,6 @@ fn with_part(summary: &str, contents: &str) -> Option<String> {
     Some(format!("{before}{contents}{after}"))
 }
 
-/// The index by paper.
-fn by_paper(catalogue: &Catalogue) -> Result<String, BookError> {
-    let wrong = formula_error;
-    let mut out = vec![
-        GENERATED.trim_end().to_string(),
-        "# Equations by paper".to_string(),
-        "A page for each numbered equation: the formula, our reading, the code, what becomes of it on each target, and who would \
-         notice if it were wrong. `etalon show gs25:13` prints the same. [By symbol](symbols.md)."
-            .to_string(),
-    ];
-    for paper in catalogue.ledger.papers() {
-        out.push(format!("## {}", paper.paper.key().to_uppercase()));
-        out.push(prose(&paper.citation).map_err(wrong(paper.paper.key()))?);
-        let row = |entry: &Entry| -> Result<Vec<String>, BookError> {
-            let functions: Vec<String> = catalogue.functions(entry.id).map(|of| format!("`{}`", path_of(of))).collect();
-            let encoded = if functions.is_empty() { format!("no ({})", entry.kind) } else { functions.join(", ") };
-            let mut remarks = Vec::new();
-            remarks.extend(entry.deviation.as_ref().map(|_| "deviation"));
-            remarks.extend(entry.open_question.as_ref().map(|_| "open question"));
-            let title = prose(&entry.title).map_err(formula_error(&entry.id.to_string()))?;
-            Ok(vec![format!("[{}]({})", entry.id.number(), place(entry.id)), title, encoded, remarks.join(", ")])
-        };
-        let rows = paper.entries().map(row).collect::<Result<Vec<_>, _>>()?;
-        out.push(table(&["number", "equation", "encoded by", "remarks"], &rows));
-    }
-    out.push("## Without a number".to_string());
-    let row = |entry: &'static etalon_kernels_gen::EquationEntry| -> Result<Vec<String>, BookError> {
-        let path = path_of(entry);
-        let what = prose(entry.unnumbered.unwrap_or_default()).map_err(formula_error(&path))?;
-        Ok(vec![format!("[`{path}`]({})", place_of_function(&path)), what])
-    };
-    let rows = catalogue.unnumbered().map(row).collect::<Result<Vec<_>, _>>()?;
-    out.push(table(&["function", "where it stands"], &rows));
-    Ok(out.join("\n\n") + "\n")
-}
-
-/// The index by symbol.
-fn by_symbol(catalogue: &Catalogue) -> Result<String, BookError> {
-    // A symbol that two equations give different meanings has a row for each.
-    let mut symbols = BTreeMap::<(String, &str, &str, String), BTreeSet<EquationId>>::new();
-    for entry in catalogue.ledger.entries() {
-        for symbol in &entry.symbols {
-            let key = (sort_key(&symbol.latex), symbol.latex.as_str(), symbol.name.as_str(), symbol.unit.to_string());
-            symbols.entry(key).or_default().insert(entry.id);
-        }
-    }
-    let row = |((_, latex, name, unit), ids): (&(String, &str, &str, String), &BTreeSet<EquationId>)| {
-        let links: Vec<String> = ids.iter().map(|id| format!("[{id}]({})", place(*id))).collect();
-        let symbol = mathml(latex, false).map_err(formula_error(latex))?;
-        Ok(vec![symbol, name.replace('|', "\\|"), unit.clone(), links.join(", ")])
-    };
-    let rows = symbols.iter().map(row).collect::<Result<Vec<_>, BookError>>()?;
-    let head = "# Equations by symbol";
-    let about = "In the order of the alphabet, Greek letters under their names. [By paper](README.md).";
-    let table = table(&["symbol", "what it is", "unit", "equations"], &rows);
-    Ok([GENERATED.trim_end(), head, about, table.as_str()].join("\n\n") + "\n")
-}
-
-/// Letters only, without the commands that mark or set them.
-fn sort_key(latex: &str) -> String {
-    let marks = [
-        "bar",
-        "hat",
-        "dot",
-        "mathbf",
-        "mathrm",
-        "mathcal",
-        "boldsymbol",
-        "langle",
-        "rangle",
-        "Delta",
-        "left",
-        "right",
-    ];
-    let plain = marks.iter().fold(latex.to_string(), |text, mark| text.replace(&format!("\\{mark}"), ""));
-    plain.chars().filter(|c| c.is_alphanumeric()).collect::<String>().to_lowercase()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -316,12 +240,5 @@ mod tests {
             "# Summary\n\n# Equations\n\n- x\n"
         );
         assert_eq!(with_part("# Summary\n", "x"), None);
-    }
-
-    #[test]
-    fn symbols_are_sorted_by_their_letters() {
-        assert_eq!(sort_key(r"\bar{\alpha}_{ab}"), "alphaab");
-        assert_eq!(sort_key(r"\mathbf{v}_{ab}"), "vab");
-        assert_eq!(sort_key(r"\Pi_{ab}"), "piab");
     }
 }

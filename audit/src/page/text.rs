@@ -71,15 +71,23 @@ fn function(f: &mut fmt::Formatter<'_>, function: &Function) -> fmt::Result {
         drawn(f, call)?;
     }
     if !function.calls.is_empty() {
-        writeln!(f, "\nWorst error measured, of the budget: ulps of the natural scale")?;
-        let rows: Vec<_> = std::iter::once(figures::head()).chain(figures::rows(function)).collect();
-        write!(f, "{}", table(&rows))?;
-        match figures::unbounded(function) {
-            0 => {}
-            count => writeln!(f, "  {count} numbers have no bound, because a divisor may be nothing.")?,
-        }
+        figure(f, "Errors", figures::ERRORS, &figures::errors(function))?;
+        figure(f, "Ranges", figures::RANGES, &figures::ranges(function))?;
+    }
+    for gain in function.calls.iter().flat_map(|call| &call.gains) {
+        writeln!(f, "\nA textbook's form of {}\n{}", gain.probe, indented(&gain.formula))?;
+        writeln!(f, "{}", wrapped(&format!("{}. Trouble: {}.", gain.source, gain.trouble)))?;
+        figure(f, "Gain", figures::GAINS, &figures::gain(gain))?;
     }
     tests(f, function)
+}
+
+/// A table of figures with a word above and its notes below.
+fn figure(f: &mut fmt::Formatter<'_>, name: &str, about: &str, of: &figures::Table) -> fmt::Result {
+    writeln!(f, "\n{name}\n{}", wrapped(about))?;
+    let rows: Vec<_> = std::iter::once(&of.head).chain(&of.rows).cloned().collect();
+    write!(f, "{}", table(&rows).replace('`', ""))?;
+    of.notes.iter().try_for_each(|note| writeln!(f, "{}", wrapped(note)))
 }
 
 fn drawn(f: &mut fmt::Formatter<'_>, call: &Call) -> fmt::Result {
@@ -122,7 +130,8 @@ fn tests(f: &mut fmt::Formatter<'_>, function: &Function) -> fmt::Result {
         count => writeln!(f, "\nTests {how}: {count}\n{}", indented(&function.tests.join("\n")))?,
     }
     let Some(mutants) = &function.mutants else {
-        return writeln!(f, "\nMutants: not run yet");
+        let why = if function.runs_on == "host" { "not put into what runs on the host only" } else { "not run yet" };
+        return writeln!(f, "\nMutants: {why}");
     };
     writeln!(f, "\nMutants: {} caught, {} equivalent", mutants.caught, mutants.passed_over)?;
     let rows: Vec<_> =

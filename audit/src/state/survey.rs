@@ -4,11 +4,11 @@ use super::{Worse, chosen};
 use crate::bad_input::{differences, not_caught, unsaid};
 use crate::budgets::{Budgets, Regression};
 use crate::catalogue::{Catalogue, Subject};
+use crate::device::{Device, DeviceError};
 use crate::encoded::Vanished;
-use crate::measure::{Measurement, measure_targets};
+use crate::measure::{Measurement, measure_on};
 use crate::probe::Probe;
 use crate::probes::of_equation;
-use crate::target::Target;
 use crate::units::check_units;
 use etalon_kernels_gen::emit::{Header, MulAdd, c, wgsl};
 use etalon_kernels_gen::trace::Single;
@@ -30,40 +30,48 @@ pub struct Survey {
 }
 
 impl Survey {
-    /// Measures everything, or only one subject, on all hard inputs and as many random ones. `progress` hears of each probe before it
-    /// is measured, with how many are done and how many there are.
+    /// Measures everything, or only one subject, on all hard inputs and as many random ones; on a device too, if there is one. `progress`
+    /// hears of each probe before it is measured, with how many are done and how many there are.
+    ///
+    /// # Errors
+    /// [`DeviceError`] if the device did not run an equation.
     pub fn of(
         catalogue: &Catalogue,
         only: Option<Subject>,
         samples: usize,
+        device: Option<&dyn Device>,
         progress: impl FnMut(&str, usize, usize),
-    ) -> Self {
+    ) -> Result<Self, DeviceError> {
         let (_, entries) = chosen(catalogue, only.as_ref());
         let probes: Vec<&Probe> = entries.iter().flat_map(|entry| of_equation(entry)).collect();
-        let mut survey = Survey::of_probes(catalogue, only, &probes, samples, progress);
+        let mut survey = Survey::of_probes(catalogue, only, &probes, samples, device, progress)?;
         if survey.only.is_none() {
             let faults = not_caught(&catalogue.ledger, crate::probes());
             let worse = |message: String| Worse { subject: "bad input".to_string(), message };
             survey.faults.extend(faults.iter().map(|fault| worse(fault.to_string())));
         }
-        survey
+        Ok(survey)
     }
 
     /// The same with these probes, for equations that are not among [`probes`](crate::probes()).
+    ///
+    /// # Errors
+    /// As for [`of`](Survey::of).
     pub fn of_probes(
         catalogue: &Catalogue,
         only: Option<Subject>,
         probes: &[&Probe],
         samples: usize,
+        device: Option<&dyn Device>,
         mut progress: impl FnMut(&str, usize, usize),
-    ) -> Self {
+    ) -> Result<Self, DeviceError> {
         let mut survey = Survey { samples, only, ..Survey::default() };
         for (done, probe) in probes.iter().enumerate() {
             progress(&probe.key(), done, probes.len());
             survey.check(catalogue, probe);
-            survey.measurements.extend(measure_targets(probe, &Target::ALL, samples));
+            survey.measurements.extend(measure_on(probe, device, samples)?);
         }
-        survey
+        Ok(survey)
     }
 
     /// The record of what was measured, in the order of [`probes`](crate::probes()).

@@ -3,6 +3,7 @@
 use super::{Row, State};
 use crate::page::{ratio, table};
 use crate::target::Target;
+use std::collections::BTreeSet;
 use std::fmt;
 
 impl fmt::Display for State {
@@ -26,11 +27,25 @@ impl fmt::Display for State {
             self.equations.len(),
             self.unnumbered.len()
         )?;
+        for (adapter, measured) in self.adapters() {
+            match measured {
+                true => writeln!(f, "WGSL was run on {adapter}.")?,
+                false => writeln!(f, "WGSL was not run; figures in parentheses are on record, of {adapter}.")?,
+            }
+        }
         if self.passed {
             return writeln!(f, "Nothing became worse.");
         }
         writeln!(f, "{} regressions:", self.regressions.len())?;
         self.regressions.iter().try_for_each(|worse| writeln!(f, "  {}: {}", worse.subject, worse.message))
+    }
+}
+
+impl State {
+    /// The devices that figures are of, and whether they are of now.
+    fn adapters(&self) -> BTreeSet<(&str, bool)> {
+        let errors = self.equations.iter().chain(&self.unnumbered).flat_map(|row| &row.errors);
+        errors.filter_map(|error| Some((error.adapter.as_deref()?, error.measured))).collect()
     }
 }
 
@@ -51,7 +66,13 @@ fn cells(row: &Row) -> Vec<String> {
         row.targets.iter().map(String::as_str).filter(|target| ["wgsl", "c"].contains(target)).collect();
     let error = |target: Target| {
         let error = row.errors.iter().find(|error| error.target == target.name());
-        error.map_or_else(|| "-".to_string(), |error| ratio(error.worst, error.budget))
+        error.map_or_else(
+            || "-".to_string(),
+            |error| {
+                let ratio = ratio(error.worst, error.budget);
+                if error.measured { ratio } else { format!("({ratio})") }
+            },
+        )
     };
     let remarks: Vec<&str> = [
         (row.regressed, "WORSE"),

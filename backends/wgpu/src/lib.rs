@@ -7,7 +7,7 @@
 //! Below it is everything that does not depend on a pass: opening a device ([`open`], [`Device`]), the particles' storage on
 //! it ([`FieldStore`], [`Coordinates`]), the neighbour search ([`NeighbourSearch`]), the reduction that gives the time step
 //! its extremes ([`Reduction`]), the motion of the particles ([`Drift`]), and the bindings that a generated pass is put into
-//! ([`PassPipeline`]). The kernels written by hand are the `.wgsl` files in `src/wgsl`; they are tested without a device too.
+//! ([`PassPipeline`]). [`call_function`] calls a single equation for each row of a table. The kernels written by hand are the `.wgsl` files in `src/wgsl`; they are tested without a device too.
 //!
 //! Two properties hold throughout. Every result is the same bits at every run: atomics are only used where their order
 //! cannot be seen. And positions are unsigned 32-bit fractions of a torus ([`Torus`]), so that separations are exact.
@@ -22,6 +22,7 @@ mod drift;
 mod engine;
 mod error;
 mod frame;
+mod function;
 mod neighbours;
 mod pass;
 mod permutation;
@@ -44,6 +45,7 @@ pub use drift::Drift;
 pub use engine::WgpuEngine;
 pub use error::Error;
 pub use frame::{Slots, TextError, pass_text, update_text};
+pub use function::{call_function, function_text};
 pub use neighbours::{Lists, NeighbourSearch, SearchSummary};
 pub use pass::{PassBindings, PassBuffers, PassPipeline};
 pub use reduce::{Extremes, Reducer, Reduction};

@@ -20,6 +20,7 @@ pub(crate) const LIST: &str = include_str!("wgsl/list.wgsl");
 pub(crate) const PERMUTATION: &str = include_str!("wgsl/permutation.wgsl");
 const INVOCATION: &str = include_str!("wgsl/invocation.wgsl");
 const PASS: &str = include_str!("wgsl/pass.wgsl");
+const CALL: &str = include_str!("wgsl/call.wgsl");
 
 /// The text of a kernel: the constants, the shared helpers, then the given parts.
 pub(crate) fn assemble(dimension: usize, parts: &[&str]) -> String {
@@ -45,6 +46,11 @@ pub(crate) fn assemble(dimension: usize, parts: &[&str]) -> String {
 /// ```
 pub fn pass_prelude(dimension: usize) -> String {
     assemble(dimension, &[PASS])
+}
+
+/// What stands before a function that is called for each row of a table (`src/wgsl/call.wgsl`).
+pub(crate) fn call_prelude() -> String {
+    assemble(1, &[CALL])
 }
 
 /// The dispatch that gives at least `items` threads: a plane of workgroups, see `invocation.wgsl`.
@@ -83,7 +89,7 @@ mod tests {
     #[test]
     fn every_kernel_is_valid_without_a_device() {
         for dimension in 1..=3 {
-            let expected: [(&str, &[&str], &[&str]); 9] = [
+            let expected: [(&str, &[&str], &[&str]); 10] = [
                 ("scan", &[SCAN], &["scan_blocks", "add_sums"]),
                 ("sort_segments", &[SORT_SEGMENTS], &["sort_segments"]),
                 ("extremes", &[EXTREMES], &["per_workgroup", "of_workgroups"]),
@@ -93,6 +99,7 @@ mod tests {
                 ("list", &[SEARCH_PARAMETERS, LIST], &["count", "fill"]),
                 ("permutation", &[PERMUTATION], &["permute"]),
                 ("pass", &[PASS], &[]),
+                ("call", &[CALL], &[]),
             ];
             for (name, parts, entries) in expected {
                 assert_eq!(validate(name, &assemble(dimension, parts)), entries, "{name}");

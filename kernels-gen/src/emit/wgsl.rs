@@ -116,7 +116,7 @@ pub fn update(drawing: &UpdateDrawing, head: &Header, mul_add: MulAdd) -> Result
 /// As for [`pass`].
 pub fn function(name: &str, drawing: &Drawing, head: &Header, mul_add: MulAdd) -> Result<String, EmitError> {
     let drawing = drawing.simplified();
-    let name = legal(name, is_word);
+    let name = function_name(name);
     let structs = camel_case(&name);
     let mut function = Function::new(name, "out", format!("{structs}Out"), mul_add);
     drawing.inputs().iter().for_each(|input| function.number(input));
@@ -126,6 +126,11 @@ pub fn function(name: &str, drawing: &Drawing, head: &Header, mul_add: MulAdd) -
     lines.extend(structure(&format!("{structs}Out"), &members));
     lines.extend(function.lines("", &drawing)?);
     Ok(lines.join("\n") + "\n")
+}
+
+/// The name that [`function`] gives a function: the same, but for reserved words.
+pub fn function_name(name: &str) -> String {
+    legal(name, is_word)
 }
 
 /// A component's name as a member of a struct: the same, but for reserved words.

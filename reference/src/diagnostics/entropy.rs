@@ -93,6 +93,7 @@ pub enum EntropyError {
 ///
 /// # Errors
 /// Columns of different length, values that are not finite or densities that are not positive, a bad floor, no warm particle.
+#[equation("gs25:30", host)]
 pub fn entropy_changes(
     start: GasColumns<'_>,
     now: GasColumns<'_>,

@@ -3,6 +3,7 @@
 use crate::engine::{Engine, EngineError};
 use crate::fields;
 use crate::passes::{Physics, SignReversal};
+use etalon_kernels_gen::equation;
 
 /// Shares of pairs in which the raw and the reconstructed velocity of approach have opposite signs, so that viscosity cools.
 ///
@@ -19,6 +20,7 @@ pub struct ReversedShares {
 ///
 /// # Errors
 /// A scheme without velocity gradients, or an engine that carries no room for the counts ([`fields::PAIRS`] and the three after it).
+#[equation("gs25:29", host)]
 pub fn reversed_shares<const D: usize, E: Engine<D>>(
     engine: &mut E,
     physics: Physics,

@@ -7,6 +7,7 @@ use super::bins::Bins;
 use super::error::{TurbulenceError, check_column, check_length};
 use crate::schemes::Weighting;
 use crate::sum::CompensatedSum;
+use etalon_kernels_gen::equation;
 use std::f64::consts::PI;
 
 /// A distribution of `s = ln(rho / rho_0)`.
@@ -40,6 +41,7 @@ impl DensityPdf {
 ///
 /// # Errors
 /// No particles, lists of different length, a mass or density that is not finite and positive, nothing inside the bins.
+#[equation(unnumbered = "distribution of density over mass and volume, C25 section 3.2", host)]
 pub fn density_pdf(
     mass: &[f64],
     density: &[f64],

@@ -2,6 +2,7 @@
 
 use super::error::{TurbulenceError, check_column, check_length};
 use crate::sum::CompensatedSum;
+use etalon_kernels_gen::equation;
 
 /// `y = amplitude x^exponent`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +21,7 @@ pub struct PowerLaw {
 ///
 /// # Errors
 /// Lists of different length; in the range a number that is not positive and finite, fewer than two points, or all at one `x`.
+#[equation(unnumbered = "slope of a power law, C25 section 3", host)]
 pub fn fit_power_law(x: &[f64], y: &[f64], range: (f64, f64)) -> Result<PowerLaw, TurbulenceError> {
     check_length("list of values", y.len(), x.len())?;
     check_column("abscissae", x, false)?;

@@ -10,6 +10,7 @@
 use super::error::{TurbulenceError, check_column};
 use super::grid::VelocityGrid;
 use crate::sum::CompensatedSum;
+use etalon_kernels_gen::equation;
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 use std::f64::consts::PI;
@@ -40,6 +41,7 @@ pub struct Spectrum {
 ///
 /// # Errors
 /// A grid of fewer than four points a side.
+#[equation(unnumbered = "power spectrum of the velocity, C25 section 3, GS25 section 4", host)]
 pub fn velocity_spectrum<const D: usize>(grid: &VelocityGrid<D>) -> Result<Spectrum, TurbulenceError> {
     let across = grid.across();
     if across < LEAST_ACROSS {

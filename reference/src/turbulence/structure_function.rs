@@ -6,6 +6,7 @@ use super::snapshot::Snapshot;
 use crate::equations::turbulence::{scale_mach_number, squared_mach_number, squared_velocity_difference};
 use crate::schemes::MachReading;
 use crate::sum::CompensatedSum;
+use etalon_kernels_gen::equation;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -42,6 +43,7 @@ pub struct Scale {
 /// # Errors
 /// Fewer than two particles, bins that begin below zero or end beyond half a periodic side (farther away a nearest image hides others), no pair
 /// in any bin.
+#[equation("c25:32", host)]
 pub fn structure_function<const D: usize>(
     snapshot: &Snapshot<D>,
     bins: &Bins,
@@ -97,6 +99,7 @@ pub fn structure_function<const D: usize>(
 ///
 /// # Errors
 /// A sound speed that is not positive.
+#[equation("c25:33", host)]
 pub fn mach_numbers(scales: &[Scale], sound_speed: f64, reading: MachReading) -> Result<Vec<f64>, TurbulenceError> {
     if !(sound_speed.is_finite() && sound_speed > 0.0) {
         let rule = "it must be finite and positive";
@@ -109,6 +112,7 @@ pub fn mach_numbers(scales: &[Scale], sound_speed: f64, reading: MachReading) ->
 ///
 /// # Errors
 /// A sound speed that is not positive, or not one for each particle.
+#[equation(unnumbered = "Mach number of the whole flow, C25 section 2, GS25 section 4", host)]
 pub fn rms_mach_number<const D: usize>(snapshot: &Snapshot<D>, sound_speed: &[f64]) -> Result<f64, TurbulenceError> {
     check_length("list of sound speeds", sound_speed.len(), snapshot.len())?;
     check_column("sound speeds", sound_speed, true)?;

@@ -6,6 +6,7 @@ mod adapter;
 mod common;
 mod drift;
 mod errors;
+mod functions;
 mod neighbours;
 mod passes;
 #[path = "../support/random.rs"]

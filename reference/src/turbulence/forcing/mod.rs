@@ -13,7 +13,7 @@ use super::snapshot::{Snapshot, periodic_side};
 use crate::domain::Domain;
 use crate::equations::turbulence::{driving_term, ornstein_uhlenbeck_step, project_mode, projection_norm_squared};
 use crate::schemes::{ModeWeights, Profile};
-use etalon_kernels_gen::Vector;
+use etalon_kernels_gen::{Vector, equation};
 use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
@@ -196,6 +196,7 @@ impl<const D: usize> Forcing<D> {
 /// The force of these waves at a place given in fixed-point coordinates.
 ///
 /// The phase is formed in whole numbers, so that it is exact anywhere in the box.
+#[equation(unnumbered = "the driving force at a place, C25 section 2", host)]
 pub fn force_at<const D: usize>(waves: &[ForceWave<D>], coordinates: [u64; D]) -> Vector<f64, D> {
     waves.iter().fold(Vector::zero(), |sum, wave| {
         let turn = (0..D).fold(0_u64, |turn, axis| {

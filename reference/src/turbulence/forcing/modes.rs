@@ -2,6 +2,7 @@
 
 use crate::equations::turbulence::driving_amplitude;
 use crate::schemes::{ModeWeights, Profile};
+use etalon_kernels_gen::equation;
 
 /// The wave number with the largest power (C25 section 2); the parabola ends one below and one above.
 pub const PEAK: f64 = 2.0;
@@ -22,6 +23,7 @@ pub struct Mode<const D: usize> {
 /// SPH-EXA goes through `n_x, n_y, n_z >= 0` and adds the other signs of all components but the first. A component that is zero has no other sign,
 /// but gets its entry: so waves along a face of the box stand there twice and those along an edge four times, each with amplitudes of its
 /// own: 112 entries for 61 waves in 3-D.
+#[equation(unnumbered = "the driven waves, C25 section 2", host)]
 pub fn modes<const D: usize>(profile: Profile) -> Vec<Mode<D>> {
     let range = -3..=3;
     let all = (0..7_usize.pow(D as u32))
