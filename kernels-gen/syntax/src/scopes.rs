@@ -41,13 +41,15 @@ pub(crate) struct Scopes {
     real: Ident,
     /// Whole numbers that the function is generic over.
     sizes: Vec<Ident>,
+    /// The function's parameters that are names, with the text of their types.
+    parameters: Vec<(Ident, String)>,
     stack: Vec<Scope>,
 }
 
 impl Scopes {
     /// The scope of a function's parameters.
     pub(crate) fn of_function(signature: &Signature, real: &Ident) -> Self {
-        let mut scopes = Scopes { real: real.clone(), sizes: Vec::new(), stack: Vec::new() };
+        let mut scopes = Scopes { real: real.clone(), sizes: Vec::new(), parameters: Vec::new(), stack: Vec::new() };
         scopes.open(Boundary::Plain);
         for parameter in &signature.generics.params {
             if let GenericParam::Const(parameter) = parameter {
@@ -62,6 +64,11 @@ impl Scopes {
             if let FnArg::Typed(input) = input {
                 let kind = scopes.kind_of_type(&input.ty);
                 scopes.bind_pattern(&input.pat, kind);
+                if let Pat::Ident(name) = &*input.pat
+                    && !matches!(kind, Kind::Integer | Kind::Flag | Kind::Mask)
+                {
+                    scopes.parameters.push((name.ident.clone(), input.ty.to_token_stream().to_string()));
+                }
             }
         }
         scopes
@@ -74,6 +81,16 @@ impl Scopes {
     /// Whole numbers that the function is generic over, such as the dimension.
     pub(crate) fn sizes(&self) -> &[Ident] {
         &self.sizes
+    }
+
+    /// The parameter that this one may be taken for: the next of its type, behind the last of them the first.
+    pub(crate) fn mistakable(&self, name: &Ident) -> Option<&Ident> {
+        let at = self.parameters.iter().position(|(parameter, _)| parameter == name)?;
+        let (before, after) = self.parameters.split_at(at);
+        let ((_, own_type), after) = after.split_first()?;
+        let (other, _) = after.iter().chain(before).find(|(_, other_type)| other_type == own_type)?;
+        let is_hidden = |name: &Ident| self.stack.iter().skip(1).any(|s| s.names.contains_key(&name.to_string()));
+        (!is_hidden(name) && !is_hidden(other)).then_some(other)
     }
 
     pub(crate) fn open(&mut self, boundary: Boundary) {

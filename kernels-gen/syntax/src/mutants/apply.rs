@@ -75,6 +75,7 @@ impl Translator<'_> {
             Expr::Binary(binary) => self.mutate_binary(written, binary, translated),
             Expr::Call(call) => self.mutate_call(written, call, translated),
             Expr::MethodCall(call) => self.mutate_method(written, call, translated),
+            Expr::Path(path) if self.constants == 0 => self.mutate_name(path, translated),
             Expr::Cast(_) | Expr::Path(_) | Expr::Field(_) | Expr::Index(_) => {
                 self.mutate_constant(written, translated)
             }
@@ -82,6 +83,22 @@ impl Translator<'_> {
             Expr::Struct(_) | Expr::Tuple(_) | Expr::Array(_) => self.mutate_parts(written, translated),
             _ => {}
         }
+    }
+
+    /// A parameter taken for another one of its type.
+    fn mutate_name(&mut self, written: &syn::ExprPath, translated: &mut Expr) {
+        let Some(name) = written.path.get_ident() else { return };
+        let Some(other) = self.scopes.mistakable(name).cloned() else { return };
+        let mut variants = Variants::default();
+        self.variant(
+            &mut variants,
+            "name",
+            name.span(),
+            (name.to_string(), other.to_string()),
+            other.to_token_stream(),
+        );
+        let choice = variants.or(translated.to_token_stream());
+        *translated = Expr::Verbatim(quote!(({ #choice })));
     }
 
     /// `-x` without its sign.
