@@ -4,7 +4,7 @@ use crate::engine::{Engine, EngineError};
 use crate::fields;
 use crate::passes::*;
 use crate::schemes::Dissipation;
-use etalon_kernels_gen::{Component, Field, Footprint, Pass};
+use etalon_kernels_gen::{Component, Field, Footprint, Pass, Update};
 
 /// Something that is done with a pass whose type is known only here.
 pub trait PassVisitor<const D: usize> {
@@ -55,6 +55,44 @@ catalogue! {
     SwitchedMomentum,
     /// [`Conduction`].
     Conduction,
+}
+
+/// Something that is done with an update whose type is known only here.
+pub trait UpdateVisitor<const D: usize> {
+    /// What comes of it.
+    type Output;
+    /// Does it.
+    fn visit_update<U: Update<D>>(&mut self, update: &U) -> Self::Output;
+}
+
+/// One of the updates of particles by themselves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum UpdateKind {
+    /// [`KickDrift`].
+    KickDrift,
+    /// [`Decay`].
+    Decay,
+    /// [`Correct`].
+    Correct,
+}
+
+impl UpdateKind {
+    /// What it reads and writes.
+    pub fn footprint<const D: usize>(self) -> Footprint {
+        match self {
+            UpdateKind::KickDrift => Footprint::of_update::<D, KickDrift>(),
+            UpdateKind::Decay => Footprint::of_update::<D, Decay>(),
+            UpdateKind::Correct => Footprint::of_update::<D, Correct>(),
+        }
+    }
+    /// Makes the update for a scene's physics and hands it to the visitor.
+    pub fn visit<const D: usize, V: UpdateVisitor<D>>(self, physics: Physics, visitor: &mut V) -> V::Output {
+        match self {
+            UpdateKind::KickDrift => visitor.visit_update(&KickDrift(physics)),
+            UpdateKind::Decay => visitor.visit_update(&Decay(physics)),
+            UpdateKind::Correct => visitor.visit_update(&Correct),
+        }
+    }
 }
 
 /// What particles start with and updates keep.
@@ -136,6 +174,16 @@ impl Pipeline {
         self.passes.contains(&PassKind::Switch)
     }
 
+    /// The updates that open a step, before particles move and the passes run, in order.
+    pub fn opening(&self) -> &'static [UpdateKind] {
+        if self.switches() { &[UpdateKind::KickDrift, UpdateKind::Decay] } else { &[UpdateKind::KickDrift] }
+    }
+
+    /// The updates that close it, after the passes.
+    pub fn closing(&self) -> &'static [UpdateKind] {
+        &[UpdateKind::Correct]
+    }
+
     /// Gives particles what schemes keep beside the [`STATE`]: to be called once, before the first run.
     pub fn start<const D: usize, E: Engine<D>>(&self, engine: &mut E, physics: Physics) -> Result<(), EngineError> {
         if self.switches() {
@@ -160,10 +208,7 @@ impl Pipeline {
     /// Every field a particle carries through this pipeline and its time integration, each once.
     pub fn fields<const D: usize>(&self) -> Vec<Field> {
         let mut all = STATE.to_vec();
-        let mut updates = vec![Footprint::of_update::<D, KickDrift>(), Footprint::of_update::<D, Correct>()];
-        if self.switches() {
-            updates.push(Footprint::of_update::<D, Decay>());
-        }
+        let updates = self.opening().iter().chain(self.closing()).map(|u| u.footprint::<D>());
         for footprint in self.passes.iter().map(|p| p.footprint::<D>()).chain(updates) {
             for field in footprint.own.into_iter().chain(footprint.other).chain(footprint.out) {
                 if !all.contains(&field) {

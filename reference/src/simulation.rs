@@ -1,18 +1,22 @@
 //! A scene through time, on any engine: kick, drift, kick.
 //!
 //! Second order in the step. Forces depend on velocities, so the closing kick's velocities are first foretold with the old
-//! acceleration and corrected afterwards (see [`KickDrift`] and [`Correct`]).
+//! acceleration and corrected afterwards (see [`KickDrift`] and [`Correct`](crate::passes::Correct)).
 
 use crate::engine::{Engine, EngineError};
 use crate::fields;
-use crate::passes::{Correct, Decay, KickDrift, Physics};
-use crate::pipeline::{PassKind, Pipeline};
+use crate::passes::{KickDrift, Physics};
+use crate::pipeline::{PassKind, Pipeline, UpdateKind, UpdateVisitor};
+use etalon_kernels_gen::Update;
 
 /// Rounds of the smoothing length's update before the first step. An error shrinks by half in each at a contact, faster elsewhere.
 const SETTLING_ROUNDS: usize = 10;
 
-/// A step shorter than this fraction of the time already run would never end.
-const SHORTEST_STEP: f64 = 1e-12;
+/// A run of steps shorter than this fraction of it would never end.
+const SHORTEST_STEP: f64 = 1e-9;
+
+/// What of the time to run is left over, by rounding, is no step.
+const LEFT_OVER: f64 = 1e-12;
 
 /// Particles on an engine, and the time they have reached.
 pub struct Simulation<const D: usize, E> {
@@ -62,24 +66,32 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
         Ok(())
     }
 
+    fn update(&mut self, updates: &[UpdateKind], step: f64) -> Result<(), EngineError> {
+        struct Run<'e, E>(&'e mut E, f64);
+        impl<const D: usize, E: Engine<D>> UpdateVisitor<D> for Run<'_, E> {
+            type Output = Result<(), EngineError>;
+            fn visit_update<U: Update<D>>(&mut self, update: &U) -> Self::Output {
+                self.0.run_update(update, self.1)
+            }
+        }
+        let mut run = Run(&mut self.engine, step);
+        updates.iter().try_for_each(|update| update.visit::<D, _>(self.physics, &mut run))
+    }
+
     /// One step, no further than `until`; returns its length.
     pub fn step(&mut self, until: f64) -> Result<f64, EngineError> {
         let rest = until - self.time;
-        if self.next_step.is_nan() || self.next_step <= SHORTEST_STEP * self.time {
+        if self.next_step.is_nan() || self.next_step <= SHORTEST_STEP * until {
             return Err(EngineError(format!(
                 "the time step has shrunk to {:e} at time {}; a particle's state is not finite or changes too fast",
                 self.next_step, self.time
             )));
         }
-        // What would be left over would be no step.
-        let step = if rest - self.next_step <= SHORTEST_STEP * until { rest } else { self.next_step };
-        self.engine.run_update(&KickDrift(self.physics), step)?;
-        if self.pipeline.switches() {
-            self.engine.run_update(&Decay(self.physics), step)?;
-        }
+        let step = if rest - self.next_step <= LEFT_OVER * until { rest } else { self.next_step };
+        self.update(self.pipeline.opening(), step)?;
         self.engine.drift()?;
         self.forces()?;
-        self.engine.run_update(&Correct, step)?;
+        self.update(self.pipeline.closing(), step)?;
         self.time = if step == rest { until } else { self.time + step };
         self.steps += 1;
         Ok(step)

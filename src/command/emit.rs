@@ -9,8 +9,7 @@ use super::setup::Setup;
 use etalon_kernels_gen::emit::{Header, MulAdd, c};
 use etalon_kernels_gen::trace::{Double, Drawing, PassDrawing, Single, UpdateDrawing};
 use etalon_kernels_gen::{Pass, Update};
-use etalon_reference::passes::{Correct, KickDrift};
-use etalon_reference::pipeline::{PassVisitor, Pipeline};
+use etalon_reference::pipeline::{PassVisitor, Pipeline, UpdateVisitor};
 use std::fs;
 
 /// Where the definitions of all passes are to be read.
@@ -45,14 +44,15 @@ pub fn emit(arguments: &EmitArguments) -> Result<String, Failure> {
         Failure::BadInput(format!("--out: cannot write {}: {error}; choose another folder", path.display()))
     };
     fs::create_dir_all(folder).map_err(|error| wrong(folder, error))?;
-    for text in chosen {
-        let path = folder.join(format!("{}.{}", text.name, arguments.target.name()));
-        if path.exists() && !arguments.replace {
-            return Err(Failure::BadInput(format!(
-                "--out: {} is there already; choose another folder, or give --replace",
-                path.display()
-            )));
-        }
+    let files = chosen.map(|text| (folder.join(format!("{}.{}", text.name, arguments.target.name())), text));
+    let files: Vec<_> = files.collect();
+    if let Some((path, _)) = files.iter().find(|(path, _)| path.exists() && !arguments.replace) {
+        return Err(Failure::BadInput(format!(
+            "--out: {} is there already; choose another folder, or give --replace",
+            path.display()
+        )));
+    }
+    for (path, text) in files {
         fs::write(&path, &text.text).map_err(|error| wrong(&path, error))?;
         written += &format!("{}\n", path.display());
     }
@@ -79,11 +79,16 @@ fn texts<const D: usize>(arguments: &EmitArguments) -> Result<Vec<Text>, Failure
         #[cfg(feature = "wgpu")]
         slots: etalon_wgpu::Slots::new(&pipeline.fields::<D>(), D),
     };
-    let mut texts = vec![printer.update::<D, _>(&KickDrift(physics))?];
+    let mut texts = Vec::new();
+    for update in pipeline.opening() {
+        texts.push(update.visit::<D, _>(physics, &mut printer)?);
+    }
     for pass in pipeline.passes() {
         texts.push(pass.visit::<D, _>(physics, &mut printer)?);
     }
-    texts.push(printer.update::<D, _>(&Correct)?);
+    for update in pipeline.closing() {
+        texts.push(update.visit::<D, _>(physics, &mut printer)?);
+    }
     Ok(texts)
 }
 
@@ -125,8 +130,11 @@ impl Printer {
     fn no_wgsl(&self) -> Failure {
         Failure::BadInput("--target wgsl: this program was built without it; build it with `--features wgpu`".into())
     }
+}
 
-    fn update<const D: usize, U: Update<D>>(&self, update: &U) -> Result<Text, Failure> {
+impl<const D: usize> UpdateVisitor<D> for Printer {
+    type Output = Result<Text, Failure>;
+    fn visit_update<U: Update<D>>(&mut self, update: &U) -> Self::Output {
         let drawing = match self.precision {
             Precision::Single => Drawing::of_update::<D, U, Single>(update),
             Precision::Double => Drawing::of_update::<D, U, Double>(update),

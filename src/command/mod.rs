@@ -91,7 +91,7 @@ fn say(failure: &Failure) -> ExitCode {
     failure.exit_code()
 }
 
-/// What the command line's reader refused: a bad value in one sentence, everything else in clap's words.
+/// What the command line's reader refused, in one sentence; help and version, which are no errors, as clap prints them.
 fn refused(error: &clap::Error) -> ExitCode {
     let context = |kind| match error.get(kind) {
         Some(ContextValue::String(text)) => Some(text.as_str()),
@@ -106,11 +106,26 @@ fn refused(error: &clap::Error) -> ExitCode {
         let sentence = option.map_or_else(|| reason.to_string(), |option| format!("{option} {value}: {reason}"));
         return say(&Failure::BadInput(sentence));
     }
-    // Help and version are no errors; clap knows where they go.
-    if error.print().is_err() {
-        return ExitCode::from(2);
+    let is_help = matches!(
+        error.kind(),
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+    );
+    if is_help {
+        // Clap knows where it goes.
+        return match error.print() {
+            Ok(()) if !error.use_stderr() => ExitCode::SUCCESS,
+            _ => ExitCode::from(2),
+        };
     }
-    ExitCode::from(if error.use_stderr() { 2 } else { 0 })
+    say(&Failure::BadInput(one_sentence(&error.to_string())))
+}
+
+/// Clap's several lines as one: what is wrong, what is meant perhaps, and where to look.
+fn one_sentence(rendered: &str) -> String {
+    let mut parts = rendered.split("\n\n").map(|part| part.split_whitespace().collect::<Vec<_>>().join(" "));
+    let wrong = parts.next().unwrap_or_default();
+    let tip = parts.find_map(|part| part.strip_prefix("tip: ").map(|tip| format!("; {tip}"))).unwrap_or_default();
+    format!("{}{tip}; `etalon help` lists what there is", wrong.strip_prefix("error: ").unwrap_or(&wrong))
 }
 
 /// Enters all keys of something into a JSON object.

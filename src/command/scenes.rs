@@ -9,7 +9,7 @@ use serde_json::json;
 /// The scenes and the names that options take, for people or as JSON.
 pub fn scenes(as_json: bool) -> Result<String, Failure> {
     let defaults: Vec<Sod> = (1..=3).map(Sod::standard).collect();
-    let schemes: Vec<&str> = Dissipation::ALL.iter().map(|s| s.name()).collect();
+    let schemes: Vec<&str> = Dissipation::ALL.iter().filter(|s| !s.knows_waves()).map(|s| s.name()).collect();
     let kernels: Vec<&str> = Kernel::ALL.iter().map(|k| k.name()).collect();
     let grad_h: Vec<&str> = GradH::ALL.iter().map(|g| g.name()).collect();
     let backends: Vec<&str> = Backend::ALL.iter().map(|b| b.name()).collect();

@@ -10,6 +10,9 @@ use etalon_reference::scenes::sod::{self, Sod};
 use etalon_reference::schemes::Viscosity;
 use fearless_simd::Level;
 
+/// Heat conducted a hundred times as strongly as usual is no flow to compare anything in.
+const MOST_CONDUCTION: f64 = 10.0;
+
 /// A scene with every option settled.
 #[derive(Clone, Debug)]
 pub struct Setup {
@@ -64,8 +67,10 @@ impl Setup {
                 dissipation.name().replace('*', "")
             )));
         }
-        if conduction < 0.0 {
-            return Err(Failure::BadInput(format!("--conduction {conduction}: give a number that is not negative")));
+        if !(0.0..=MOST_CONDUCTION).contains(&conduction) {
+            return Err(Failure::BadInput(format!(
+                "--conduction {conduction}: give a number that is not negative, and at most {MOST_CONDUCTION}"
+            )));
         }
         Ok(())
     }

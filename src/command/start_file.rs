@@ -13,6 +13,9 @@ const SMOOTHING_LENGTH: &str = "smoothing_length";
 const INTERNAL_ENERGY: &str = "internal_energy";
 const MOBILE: &str = "mobile";
 
+/// The tube's units are of order one: what is beyond this, or below its inverse, leaves single precision sooner or later.
+const LARGEST: f64 = 1e12;
+
 /// Initial particles from a file, checked number by number.
 ///
 /// The first line that is no comment (`#`) names the columns, in any order: `x` (`y`, `z`), `mass`, `smoothing_length`,
@@ -124,13 +127,19 @@ impl Columns {
         let number = |place: usize, name: &str| {
             let text = record.get(place).unwrap_or("");
             match text.parse::<f64>() {
-                Ok(value) if value.is_finite() => Ok(value),
+                Ok(value) if value.abs() <= LARGEST => Ok(value),
+                Ok(value) if value.is_finite() => {
+                    Err(format!("{name} is {value:e}; it must be at most {LARGEST:e} in size"))
+                }
                 _ => Err(format!("{name} is `{text}`; it must be a finite number")),
             }
         };
         let positive = |place: usize, name: &str| match number(place, name)? {
-            value if value > 0.0 => Ok(value),
-            value => Err(format!("{name} is {value}; it must be positive")),
+            value if value <= 0.0 => Err(format!("{name} is {value}; it must be positive")),
+            value if !(1.0 / LARGEST..=LARGEST).contains(&value) => {
+                Err(format!("{name} is {value}; it must be between {:e} and {LARGEST:e}", 1.0 / LARGEST))
+            }
+            value => Ok(value),
         };
         let mut particle = Particle {
             position: [0.0; 3],
@@ -168,6 +177,10 @@ fn reason(error: &csv::Error) -> String {
             let line = pos.as_ref().map_or(0, csv::Position::line);
             format!("line {line} has {len} values where the first line names {expected_len}; was the file cut short?")
         }
+        csv::ErrorKind::Utf8 { pos, .. } => {
+            let line = pos.as_ref().map_or(0, csv::Position::line);
+            format!("line {line} is not text (UTF-8); is it a table of comma-separated values?")
+        }
         _ => error.to_string(),
     }
 }
@@ -201,6 +214,12 @@ mod tests {
             ("0.5,1,0,1,1", 1, "line 3: smoothing_length is 0; it must be positive"),
             ("0.5,1,0.1,-1,1", 1, "internal_energy is -1; it must not be negative"),
             ("0.5,1,0.1,1,yes", 1, "mobile is `yes`; it must be 1, or 0 for a wall"),
+            ("1e300,1,0.1,1,1", 1, "line 3: x is 1e300; it must be at most 1e12 in size"),
+            (
+                "0.5,1e-30,0.1,1,1",
+                1,
+                "line 3: mass is 0.000000000000000000000000000001; it must be between 1e-12 and 1e12",
+            ),
             ("0.5,1,0.1", 1, "line 3 has 3 values where the first line names 5; was the file cut short?"),
             ("0.5,1,0.1,1,1", 2, "there is no column `y`"),
         ] {
@@ -211,6 +230,9 @@ mod tests {
         assert!(
             read("x,mass,smoothing_length,internal_energy\n", 1).unwrap_err().contains("no particle in it can move")
         );
+        let bytes: &[u8] = &[head.as_bytes(), b"0.5,1,0.1,\xff,1\n"].concat();
+        let message = StartFile::parse(Path::new("particles.csv"), 1, bytes).unwrap_err().to_string();
+        assert!(message.contains("line 3 is not text"), "{message}");
         assert!(read("", 1).unwrap_err().contains("there is no column `x`"));
         let missing = StartFile::read(Path::new("/no/such/file.csv"), 1).unwrap_err().to_string();
         assert!(missing.contains("/no/such/file.csv: it cannot be read"), "{missing}");

@@ -3,8 +3,8 @@
 use etalon_kernels_gen::emit::Header;
 use etalon_kernels_gen::trace::{Drawing, Single};
 use etalon_kernels_gen::{Pass, Update};
-use etalon_reference::passes::{Correct, Decay, KickDrift, Physics};
-use etalon_reference::pipeline::{PassKind, PassVisitor, Pipeline};
+use etalon_reference::passes::{KickDrift, Physics};
+use etalon_reference::pipeline::{PassKind, PassVisitor, Pipeline, UpdateVisitor};
 use etalon_reference::scenes::sod::Sod;
 use etalon_reference::schemes::{Dissipation, GradH, Kernel, Viscosity};
 use etalon_wgpu::{Slots, pass_text, update_text, validate, wgsl};
@@ -24,8 +24,9 @@ impl<const D: usize> PassVisitor<D> for Texts {
     }
 }
 
-impl Texts {
-    fn update<const D: usize, U: Update<D>>(&mut self, update: &U) {
+impl<const D: usize> UpdateVisitor<D> for Texts {
+    type Output = ();
+    fn visit_update<U: Update<D>>(&mut self, update: &U) {
         let drawing = Drawing::of_update::<D, U, Single>(update).unwrap();
         self.made.push((U::NAME, update_text(&drawing, &self.slots, &HEAD).unwrap()));
     }
@@ -38,10 +39,8 @@ fn texts<const D: usize>(physics: Physics) -> Vec<(&'static str, String)> {
     for pass in pipeline.passes() {
         PassKind::visit::<D, _>(*pass, physics, &mut texts);
     }
-    texts.update::<D, _>(&KickDrift(physics));
-    texts.update::<D, _>(&Correct);
-    if pipeline.switches() {
-        texts.update::<D, _>(&Decay(physics));
+    for update in pipeline.opening().iter().chain(pipeline.closing()) {
+        update.visit::<D, _>(physics, &mut texts);
     }
     texts.made
 }

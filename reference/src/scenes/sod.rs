@@ -82,6 +82,20 @@ pub enum SodError {
     /// The gas is no gas: of all that the exact solution takes, only gamma is a choice.
     #[error("--gamma: {0}")]
     Riemann(#[from] RiemannError),
+    /// Particles of which none counts.
+    #[error(
+        "no particle that moves is between x = {} and x = {}, where errors are measured; give a tube from 0 to 1",
+        MEASURED.0, MEASURED.1
+    )]
+    NothingMeasured,
+    /// Supports that would meet themselves around the tube.
+    #[error("a particle's support reaches {reach} far, and the tube leaves it {most}; give smaller smoothing lengths")]
+    Wide {
+        /// The widest support's radius.
+        reach: f64,
+        /// Half the tube's width.
+        most: f64,
+    },
     /// The particles were refused.
     #[error(transparent)]
     Particles(#[from] ParticleError),
@@ -187,14 +201,19 @@ impl Sod {
     }
 
     /// Particles made elsewhere in the tube's box: periodic across it, and as long as they and their supports reach.
-    pub fn particles_given<const D: usize>(
-        &self,
-        particles: Vec<Particle<D>>,
-    ) -> Result<ParticleSet<D>, ParticleError> {
+    pub fn particles_given<const D: usize>(&self, particles: Vec<Particle<D>>) -> Result<ParticleSet<D>, SodError> {
         let reach = |p: &Particle<D>| self.kernel.support() * p.smoothing_length;
+        let measured = particles.iter().any(|p| p.mobile && (MEASURED.0..=MEASURED.1).contains(&p.position[0]));
+        if !measured {
+            return Err(SodError::NothingMeasured);
+        }
+        let widest = particles.iter().map(reach).fold(0.0, f64::max);
+        if D > 1 && 2.0 * widest > WIDTH {
+            return Err(SodError::Wide { reach: widest, most: 0.5 * WIDTH });
+        }
         let lowest = particles.iter().map(|p| p.position[0] - reach(p)).fold(f64::INFINITY, f64::min);
         let highest = particles.iter().map(|p| p.position[0] + reach(p)).fold(f64::NEG_INFINITY, f64::max);
-        ParticleSet::new(domain(lowest, highest)?, particles)
+        Ok(ParticleSet::new(domain(lowest, highest)?, particles)?)
     }
 
     /// Whether these choices make a tube in `D` dimensions.

@@ -3,8 +3,8 @@
 use crate::command::failure::Failure;
 use etalon_kernels_gen::trace::{Count, Double, Drawing, Single, TraceError};
 use etalon_kernels_gen::{Footprint, Pass, Update};
-use etalon_reference::passes::{Correct, Decay, KickDrift, Physics};
-use etalon_reference::pipeline::{PassVisitor, Pipeline};
+use etalon_reference::passes::Physics;
+use etalon_reference::pipeline::{PassVisitor, Pipeline, UpdateVisitor};
 
 /// A pass or an update of a step.
 pub struct Stage {
@@ -19,20 +19,15 @@ pub struct Stage {
 /// The stages of a step, in the order they run.
 pub fn stages<const D: usize>(pipeline: &Pipeline, physics: Physics) -> Result<Vec<Stage>, Failure> {
     let all = || -> Result<Vec<Stage>, TraceError> {
-        let mut all = vec![update::<D, _>(&KickDrift(physics))?];
-        if pipeline.switches() {
-            all.push(update::<D, _>(&Decay(physics))?);
-        }
-        for pass in pipeline.passes() {
-            all.push(pass.visit::<D, _>(physics, &mut Draw)?);
-        }
-        all.push(update::<D, _>(&Correct)?);
-        Ok(all)
+        let opening = pipeline.opening().iter().map(|update| update.visit::<D, _>(physics, &mut Draw));
+        let passes = pipeline.passes().iter().map(|pass| pass.visit::<D, _>(physics, &mut Draw));
+        let closing = pipeline.closing().iter().map(|update| update.visit::<D, _>(physics, &mut Draw));
+        opening.chain(passes).chain(closing).collect()
     };
     all().map_err(|error| Failure::Broken(format!("a pass cannot be drawn: {error}")))
 }
 
-/// Counts a pass.
+/// Counts a pass or an update.
 struct Draw;
 
 impl<const D: usize> PassVisitor<D> for Draw {
@@ -48,8 +43,11 @@ impl<const D: usize> PassVisitor<D> for Draw {
     }
 }
 
-fn update<const D: usize, U: Update<D>>(update: &U) -> Result<Stage, TraceError> {
-    let single = Drawing::of_update::<D, U, Single>(update)?.simplified();
-    let double = Drawing::of_update::<D, U, Double>(update)?.simplified();
-    Ok(Stage { footprint: Footprint::of_update::<D, U>(), pair: None, particle: [single.count(), double.count()] })
+impl<const D: usize> UpdateVisitor<D> for Draw {
+    type Output = Result<Stage, TraceError>;
+    fn visit_update<U: Update<D>>(&mut self, update: &U) -> Self::Output {
+        let single = Drawing::of_update::<D, U, Single>(update)?.simplified();
+        let double = Drawing::of_update::<D, U, Double>(update)?.simplified();
+        Ok(Stage { footprint: Footprint::of_update::<D, U>(), pair: None, particle: [single.count(), double.count()] })
+    }
 }

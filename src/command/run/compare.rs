@@ -12,13 +12,6 @@ use crate::report::plain;
 use etalon_reference::norms::{NormError, l1_error, l2_error, max_error};
 use etalon_reference::scenes::sod;
 
-/// The momentum that the fixed layers give may differ so much from their pressure times area and time.
-const PUSH: f64 = 0.02;
-/// Momentum across the tube, scaled by the sum of all magnitudes.
-const ACROSS: f64 = 1e-3;
-/// Energy that appears or goes, as a fraction.
-const ENERGY: f64 = 5e-4;
-
 /// Particles shown in plots.
 const SHOWN: usize = 1200;
 
@@ -57,18 +50,67 @@ pub fn arithmetic(
     Ok(all)
 }
 
-/// Drift of mass, momentum and energy of the particles that move.
-pub fn conservation(run: &Finished, dimension: usize) -> Vec<Conserved> {
-    let (start, end) = (&run.start, &run.end);
-    let drift =
-        |axis: usize| (end.momentum[axis] - start.momentum[axis]) / end.momentum_magnitude.max(f64::MIN_POSITIVE);
+/// The reference's run, and how far another may go from it: what a drift of conserved totals is held against.
+#[derive(Clone, Copy)]
+pub struct Yardstick<'a> {
+    reference: &'a Finished,
+    sensitivity: &'a Sensitivity,
+    /// The share of all particles that move.
+    moving: f64,
+}
+
+impl<'a> Yardstick<'a> {
+    /// Of the reference, and the precision of the run that is judged.
+    pub fn new(reference: &'a Finished, sensitivity: &'a Sensitivity, mobile: &[bool]) -> Self {
+        let moving = mobile.iter().filter(|mobile| **mobile).count() as f64 / mobile.len() as f64;
+        Yardstick { reference, sensitivity, moving }
+    }
+
+    /// How much the velocities and energies of all particles may add up to at most, weighted by mass: a sum differs by no more than its terms, and
+    /// the mean size of these by no more than its root mean square.
+    fn most(&self, dimension: usize) -> [f64; 2] {
+        let scale = scales(self.reference);
+        let all = |name: &str| {
+            let k = COMPARED.iter().position(|n| *n == name).unwrap_or(0);
+            // Tolerances are means over all particles, of which the fixed ones do not differ.
+            self.reference.end.mass * self.sensitivity.tolerance(k).value * scale[k] / self.moving.sqrt()
+        };
+        [all("velocity_x") * (dimension as f64).sqrt(), all("internal_energy")]
+    }
+
+    /// The drift that the reference has in the same units, and `more`.
+    fn tolerance(&self, of_reference: f64, more: f64) -> Tolerance {
+        Tolerance::new(
+            of_reference.abs() + more,
+            format!(
+                "{}, the reference's own, which is that of the scheme, and {} for what velocities and energies of all particles may differ by",
+                plain(of_reference.abs()),
+                plain(more)
+            ),
+        )
+    }
+}
+
+/// Drift of mass, momentum and energy of the particles that move. It is judged where there is a reference to hold it against: its own drift is
+/// no matter of arithmetic, but of scheme, step and walls.
+pub fn conservation(run: &Finished, dimension: usize, yardstick: Option<Yardstick>) -> Vec<Conserved> {
     let area = sod::WIDTH.powi(dimension as i32 - 1);
     let push = (sod::PRESSURE[0] - sod::PRESSURE[1]) * area * run.time;
-    let gained = end.momentum[0] - start.momentum[0];
+    let gained = |run: &Finished| run.end.momentum[0] - run.start.momentum[0];
+    let along = |run: &Finished| (gained(run) - push) / push;
+    let magnitude = |run: &Finished| run.end.momentum_magnitude.max(f64::MIN_POSITIVE);
+    let across = |run: &Finished| {
+        let drift = |axis: usize| ((run.end.momentum[axis] - run.start.momentum[axis]) / magnitude(run)).abs();
+        (1..dimension).map(drift).fold(0.0, f64::max)
+    };
+    let energy = |run: &Finished| (run.end.energy - run.start.energy) / run.start.energy;
+    let tolerance = |drift: &dyn Fn(&Finished) -> f64, more: &dyn Fn([f64; 2], &Finished) -> f64| {
+        yardstick.map(|y| y.tolerance(drift(y.reference), more(y.most(dimension), y.reference)))
+    };
     let mut all = vec![
         Conserved {
             quantity: "mass".into(),
-            scaled_drift: (end.mass - start.mass) / start.mass,
+            scaled_drift: (run.end.mass - run.start.mass) / run.start.mass,
             tolerance: Some(Tolerance::new(
                 f64::EPSILON,
                 "nothing writes masses: both sums are of the same numbers in the same order",
@@ -77,12 +119,8 @@ pub fn conservation(run: &Finished, dimension: usize) -> Vec<Conserved> {
         },
         Conserved {
             quantity: "momentum along the tube".into(),
-            scaled_drift: (gained - push) / push,
-            tolerance: Some(Tolerance::new(
-                PUSH,
-                "the fixed layers are particles, and push with the pressure that sums over them give: within 0.5 % of the gas at rest \
-                 in every start that was tried",
-            )),
+            scaled_drift: along(run),
+            tolerance: tolerance(&along, &|[momentum, _], _| momentum / push),
             note: Some(format!(
                 "not conserved: the fixed layers push with the pressure of the gas at rest, P_L − P_R = {} on an area of {}; by t = {} that \
                  gives the moving particles a momentum of {}, and they have {}; the number is the difference in units of the push",
@@ -90,30 +128,26 @@ pub fn conservation(run: &Finished, dimension: usize) -> Vec<Conserved> {
                 plain(area),
                 plain(run.time),
                 plain(push),
-                plain(gained)
+                plain(gained(run))
             )),
         },
     ];
     if dimension > 1 {
         all.push(Conserved {
             quantity: "momentum across the tube".into(),
-            scaled_drift: (1..dimension).map(|axis| drift(axis).abs()).fold(0.0, f64::max),
-            tolerance: Some(Tolerance::new(
-                ACROSS,
-                "what the fixed layers take: rounding where the start is regular across the tube, 7e-5 of all momenta where it is a glass",
-            )),
+            scaled_drift: across(run),
+            tolerance: tolerance(&across, &|[momentum, _], run| momentum / magnitude(run)),
             note: Some(
                 "among moving particles it is conserved to rounding; the fixed layers at both ends take what they are given".into(),
             ),
         });
     }
+    // A change of the velocities changes the kinetic energy by their own size at most.
+    let fastest = |run: &Finished| scales(run)[1];
     all.push(Conserved {
         quantity: "energy".into(),
-        scaled_drift: (end.energy - start.energy) / start.energy,
-        tolerance: Some(Tolerance::new(
-            ENERGY,
-            "eight times what 100 particles in 1-D show; it falls with the step, so with more particles",
-        )),
+        scaled_drift: energy(run),
+        tolerance: tolerance(&energy, &|[momentum, heat], run| (momentum * fastest(run) + heat) / run.start.energy),
         note: Some(
             "the equations conserve it at every instant; the integrator is of second order in the step, and the fixed layers \
              keep the share of the pairs they take part in"

@@ -34,6 +34,7 @@ use crate::fma_peak::{self, FmaPeak};
 use crate::report::model::{Measurements, Run, Speed};
 use crate::report::{self, Report};
 use assemble::{Circumstances, particle_columns};
+use compare::Yardstick;
 use etalon_reference::engine::EngineError;
 use etalon_reference::particles::ParticleSet;
 use etalon_reference::pipeline::Pipeline;
@@ -135,12 +136,15 @@ impl Session<'_> {
             let mut measured = self.measure(combination, &finished, reference, particles, peak)?;
             measured.bytes_per_particle = memory(combination);
             measured.discretisation_error = compare::discretisation(&finished.state, &exact)?;
-            measured.conservation = compare::conservation(&finished, D);
             let judge =
                 |reference: &'_ Baseline| reference.sensitivities.iter().find(|s| s.precision() == precision).copied();
-            if let Some((reference, sensitivity)) = reference.and_then(|r| Some((r, judge(r)?))) {
-                measured.arithmetic_difference = compare::arithmetic(&finished, &reference.finished, &sensitivity)?;
+            let judged = reference.and_then(|reference| Some((&reference.finished, judge(reference)?)));
+            if let Some((reference, sensitivity)) = &judged {
+                measured.arithmetic_difference = compare::arithmetic(&finished, reference, sensitivity)?;
             }
+            let yardstick =
+                judged.as_ref().map(|(reference, sensitivity)| Yardstick::new(reference, sensitivity, &task.mobile));
+            measured.conservation = compare::conservation(&finished, D, yardstick);
             let beside = reference.map(|reference| reference.finished.state.as_ref());
             measured.profile = compare::profile(&finished.state, &task.mobile, &exact, beside);
             runs.push(Run::ran(backend.name(), precision.name(), measured));
