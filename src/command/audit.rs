@@ -118,7 +118,9 @@ mod tests {
         let mut catalogue = Catalogue::load().unwrap();
         let entry = registered().into_iter().find(|entry| probes[0].is_of(entry)).unwrap();
         let probes: Vec<&Probe> = probes.iter().collect();
-        let survey = Survey::of_probes(&catalogue, Some(Subject::Functions(vec![entry])), &probes, 1, |_, _, _| ());
+        let survey =
+            Survey::of_probes(&catalogue, Some(Subject::Functions(vec![entry])), &probes, 1, None, |_, _, _| ())
+                .unwrap();
         // Its errors are on record: nothing is wrong but what is wrong with it.
         catalogue.budgets = survey.budgets();
         let done = told(&State::of(&catalogue, &survey), json).unwrap();

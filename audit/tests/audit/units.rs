@@ -177,7 +177,8 @@ fn an_inconsistent_equation_fails_the_audit() {
         let mut catalogue = Catalogue::load().unwrap();
         let entry = registered().into_iter().find(|entry| probes[0].is_of(entry)).unwrap();
         let all: Vec<&Probe> = probes.iter().collect();
-        let survey = Survey::of_probes(&catalogue, Some(Subject::Functions(vec![entry])), &all, 1, |_, _, _| ());
+        let survey =
+            Survey::of_probes(&catalogue, Some(Subject::Functions(vec![entry])), &all, 1, None, |_, _, _| ()).unwrap();
         // Its errors are on record, so that its units alone can be amiss.
         catalogue.budgets = survey.budgets();
         let state = State::of(&catalogue, &survey);
