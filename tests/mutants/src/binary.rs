@@ -39,7 +39,8 @@ impl Binary {
     pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(&self.path);
         // Tests must not write into the tree because a fault made them fail.
-        command.current_dir(places::reference()).args(arguments).env("INSTA_UPDATE", "no");
+        command.current_dir(places::reference()).args(arguments);
+        command.env("INSTA_UPDATE", "no").env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "1");
         command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
         command
     }
