@@ -140,12 +140,16 @@ fn to_precision<P: Roundoff>(value: f64) -> f64 {
     }
 }
 
-fn verdict<P: Roundoff>(pass: &'static str, component: String, found: &[f64], expected: &[Bounded<P>]) -> Verdict {
-    // The reference itself rounds in f64; where that is the engine's precision too, errors of both count.
-    let own_share = match P::PRECISION {
+/// The reference itself rounds in `f64`; where that is the engine's precision too, errors of both count.
+fn sides_that_round<P: Roundoff>() -> f64 {
+    match P::PRECISION {
         Precision::Single => 1.0,
         Precision::Double | Precision::Extended => 2.0,
-    };
+    }
+}
+
+fn verdict<P: Roundoff>(pass: &'static str, component: String, found: &[f64], expected: &[Bounded<P>]) -> Verdict {
+    let own_share = sides_that_round::<P>();
     let one = |particle: usize| Verdict {
         pass,
         component: component.clone(),
@@ -193,8 +197,8 @@ pub struct Summary {
     pub failures: Vec<String>,
 }
 
-/// A bound is worth something only if it is far smaller than what it bounds. On ordinary particles the median over them is at most 3e4 roundings of
-/// the value in single precision and twice that in double, where both sides round; this leaves another kernel or scheme room.
+/// A bound is worth something only if it is far smaller than what it bounds. On ordinary particles the median over them is at most 5e4 roundings of
+/// the value, those of each side that rounds; this leaves another kernel or scheme room.
 const LOOSEST: f64 = 1e5;
 
 impl Summary {
@@ -209,7 +213,7 @@ impl Summary {
                 self.failures.push(format!("{place}: no bound where there should be one: {verdict}"));
             }
             if difficulty == Difficulty::None {
-                if verdict.looseness > LOOSEST * P::UNIT {
+                if verdict.looseness > LOOSEST * sides_that_round::<P>() * P::UNIT {
                     let loose = verdict.looseness;
                     self.failures.push(format!("{place}: a bound of {loose:e} of the value says nothing: {verdict}"));
                 }
