@@ -7,6 +7,9 @@
 pub mod poison;
 pub mod runs;
 pub mod sets;
+mod updates;
+
+pub use updates::check_updates;
 
 use crate::engine::{Engine, EngineError, PlainEngine};
 use crate::particles::ParticleSet;
@@ -228,21 +231,24 @@ impl Summary {
     }
 }
 
-/// All passes on all difficult sets in `D` dimensions: every dissipation scheme with the paper's kernel, every kernel with
-/// the paper's scheme, and conduction. `make` builds an engine of precision `P`.
+/// All passes on all difficult sets in `D` dimensions: every dissipation scheme with the paper's kernel, every kernel and every grad-h
+/// form with the paper's scheme, and conduction. `make` builds an engine of precision `P`.
 pub fn check_dimension<const D: usize, P: Roundoff, E: Engine<D>>(
     mut make: impl FnMut(&ParticleSet<D>, &[Field]) -> Result<E, EngineError>,
 ) -> Result<Summary, EngineError> {
     let mut summary = Summary::default();
     let usual = Sod::standard(D);
     let schemes = Dissipation::ALL.iter().map(|&dissipation| Sod { dissipation, ..usual });
-    let kernels = Kernel::ALL.iter().map(|&kernel| Sod { kernel, ..usual });
-    let forms = GradH::ALL.iter().map(|&grad_h| Sod { grad_h, ..usual });
-    let conduction = [Sod { conduction: Viscosity::CONDUCTION, ..usual }];
-    for (round, scene) in schemes.chain(kernels).chain(forms).chain(conduction).enumerate() {
+    // The usual ones are among the schemes.
+    let kernels = Kernel::ALL.iter().map(|&kernel| Sod { kernel, ..usual }).filter(|scene| *scene != usual);
+    let forms = GradH::ALL.iter().map(|&grad_h| Sod { grad_h, ..usual }).filter(|scene| *scene != usual);
+    let conduction = Sod { conduction: Viscosity::CONDUCTION, ..usual };
+    for (round, scene) in schemes.chain(kernels).chain(forms).chain([conduction]).enumerate() {
         let physics = scene.physics();
-        // The usual scene meets every difficulty, the variations only the first ones: what is difficult is the same for all.
-        let tried = if round == 0 || scene == usual { Difficulty::ALL } else { &Difficulty::ALL[..2] };
+        // The plainest scheme, the usual one and conduction, which is a pass of its own, meet every difficulty, the variations only the
+        // first ones: what is difficult is the same for all.
+        let every = round == 0 || scene == usual || scene == conduction;
+        let tried = if every { Difficulty::ALL } else { &Difficulty::ALL[..2] };
         for &difficulty in tried {
             let across = [24, 10, 9][D - 1];
             let set =
