@@ -53,9 +53,9 @@ fn closest<const D: usize>(places: &[[f64; D]], across: usize) -> f64 {
 /// Half of what a scene takes, and enough to tell.
 const ROUNDS: usize = 100;
 
-/// How many times less the density scatters. Measured: 9 to 11 times in two dimensions, 11 to 15 in three; some seeds differ by a factor of
-/// 1.4, so half of the least is asked for. A step in the wrong direction, or none, would leave it at 1 or below.
-const EVENER: f64 = 5.0;
+/// How many times less the density scatters. Measured: 9 to 10 times in two dimensions, 11 to 15 in three. Where motion is not taken out
+/// after every step it is 4.6 to 6.9 times, and without a drift once.
+const EVENER: f64 = 7.0;
 
 /// Relaxes for several seeds; no two particles of any may end up closer than `nearest` spacings.
 fn check<const D: usize>(across: usize, seeds: &[u64], nearest: f64) {
