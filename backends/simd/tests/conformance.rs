@@ -3,7 +3,7 @@
 use etalon_kernels_gen::bounded::Roundoff;
 use etalon_kernels_gen::lanes::{available_levels, level_name};
 use etalon_kernels_gen::trace::{Double, Single};
-use etalon_reference::conformance::check_dimension;
+use etalon_reference::conformance::{check_dimension, check_updates};
 use etalon_simd::{LaneEngine, Number, Options};
 
 fn conforms<const D: usize, T: Number, P: Roundoff>() {
@@ -50,4 +50,32 @@ fn single_precision_conforms_in_two_dimensions() {
 #[test]
 fn single_precision_conforms_in_three_dimensions() {
     conforms::<3, f32, Single>();
+}
+
+fn updates_conform<const D: usize, T: Number, P: Roundoff>() {
+    for level in available_levels() {
+        let make = |set: &_, fields: &_| Ok(LaneEngine::<T, D>::new(set, fields, Options { level }));
+        let summary = check_updates::<D, P, _>(make).unwrap();
+        let (place, worst) = summary.worst.expect("nothing was compared");
+        println!(
+            "{} {}: {} numbers; nearest to its bound: {place}: {worst}",
+            T::NAME,
+            level_name(level),
+            summary.compared
+        );
+        assert!(summary.failures.is_empty(), "{} failures:\n{}", summary.failures.len(), summary.failures.join("\n"));
+    }
+}
+
+#[test]
+fn updates_conform_in_double_precision() {
+    updates_conform::<1, f64, Double>();
+    updates_conform::<2, f64, Double>();
+    updates_conform::<3, f64, Double>();
+}
+#[test]
+fn updates_conform_in_single_precision() {
+    updates_conform::<1, f32, Single>();
+    updates_conform::<2, f32, Single>();
+    updates_conform::<3, f32, Single>();
 }

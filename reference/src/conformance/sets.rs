@@ -32,7 +32,12 @@ pub enum Difficulty {
     Huge,
     /// A unit of length of 2^-16.
     Tiny,
+    /// Walls: the outer layers along the first axis do not move, in a box that is open along it and periodic across.
+    FixedLayers,
 }
+
+/// How thick each of the two walls is, in sides of the box.
+const WALL: f64 = 0.2;
 
 /// The share of particles for which a comparison may be too close to call: a time step where the energy neither rises nor falls.
 const RARELY: f64 = 0.02;
@@ -50,6 +55,7 @@ impl Difficulty {
         Difficulty::UnequalLengths,
         Difficulty::Huge,
         Difficulty::Tiny,
+        Difficulty::FixedLayers,
     ];
 
     /// The share of particles that may be without an error bound, in so many dimensions.
@@ -128,6 +134,10 @@ pub fn set<const D: usize>(
                 _ => 1.0,
             };
         }),
+        // Their velocities stay: if they keep their places, it is because they are said to be fixed.
+        Difficulty::FixedLayers => {
+            particles.iter_mut().for_each(|p| p.mobile = (WALL..=1.0 - WALL).contains(&p.position[0]))
+        }
         Difficulty::None | Difficulty::Huge | Difficulty::Tiny => {}
     }
     for p in &mut particles {
@@ -138,6 +148,34 @@ pub fn set<const D: usize>(
     }
     // The torus behind an open box is wide enough for any support here.
     let open = matches!(difficulty, Difficulty::FarAway | Difficulty::UnequalLengths);
-    let domain = Domain::new([origin; D], [origin + unit; D], [!open; D])?;
+    let periodic = std::array::from_fn(|axis| !(open || difficulty == Difficulty::FixedLayers && axis == 0));
+    let domain = Domain::new([origin; D], [origin + unit; D], periodic)?;
     ParticleSet::new(domain, particles)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::sod::Sod;
+
+    fn has_walls<const D: usize>() {
+        let set = set::<D>(Difficulty::FixedLayers, 10, &Sod::standard(D).physics(), 1).unwrap();
+        assert!(set.domain().periodic().iter().enumerate().all(|(axis, periodic)| *periodic == (axis > 0)));
+        let count = |low: f64, high: f64| {
+            let here = || set.particles().iter().filter(|p| (low..high).contains(&p.position[0]));
+            (here().filter(|p| !p.mobile).count(), here().filter(|p| p.mobile).count())
+        };
+        // Two layers in each of the walls; the jitter of 0.4 carries nobody across an edge between layers.
+        let (left, middle, right) = (count(0.0, 0.2), count(0.2, 0.8), count(0.8, 1.0));
+        let layer = 10usize.pow(D as u32 - 1);
+        assert_eq!((left, middle, right), ((2 * layer, 0), (0, 6 * layer), (2 * layer, 0)), "{D}-D");
+    }
+
+    /// Without particles that stay, no comparison would notice an engine that moves its walls.
+    #[test]
+    fn fixed_layers_are_at_both_ends_of_an_open_axis() {
+        has_walls::<1>();
+        has_walls::<2>();
+        has_walls::<3>();
+    }
 }

@@ -2,6 +2,7 @@
 //! that has gone wrong.
 
 mod bad_input;
+mod glass;
 mod misuse;
 mod order;
 mod sod;

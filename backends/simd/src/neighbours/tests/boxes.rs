@@ -2,6 +2,7 @@
 
 use super::{Random, Set, check, in_pool};
 use crate::neighbours::{Coordinate, NeighbourList, Order, Scalar, brute_force};
+use etalon_reference::domain::Domain;
 use fearless_simd::Level;
 
 #[test]
@@ -54,6 +55,36 @@ fn an_open_box_embedded_in_a_larger_torus() {
         let set = Set::<3> { fractions, reach: reach.clone(), length: [scale; 3] };
         assert_eq!(check(&set), pairs, "torus of length {scale}");
     }
+}
+
+#[test]
+fn a_box_with_walls_that_is_open_along_one_axis() {
+    // As the tube is made: open along x, embedded in a torus of 2.5 sides, with layers at rest at either end on a lattice; periodic across.
+    // Pairs across the seam of y and z count, pairs from one wall to the other do not.
+    let mut random = Random(43);
+    let domain = Domain::new([0.0; 3], [1.0, 0.5, 0.25], [false, true, true]).expect("a box");
+    let inside = (0..600).map(|_| {
+        let [x, y, z] = random.point();
+        [0.2 + 0.6 * x, 0.5 * y, 0.25 * z]
+    });
+    let walls = [0.02, 0.06, 0.1, 0.9, 0.94, 0.98]
+        .into_iter()
+        .flat_map(|x| (0..72).map(move |n| [x, (f64::from(n % 12) + 0.5) / 24.0, (f64::from(n / 12) + 0.5) / 24.0]));
+    let places: Vec<[f64; 3]> = inside.chain(walls).collect();
+    let reach: Vec<f64> = places.iter().map(|_| 0.1 + 0.02 * random.next()).collect();
+    let around = |apart: f64, side: f64| apart.abs().min(side - apart.abs());
+    let near = |i: usize, j: usize| {
+        let [x, y, z] = std::array::from_fn(|axis| places[i][axis] - places[j][axis]);
+        let squares = x.powi(2) + around(y, 0.5).powi(2) + around(z, 0.25).powi(2);
+        i != j && squares.sqrt() < reach[i].max(reach[j])
+    };
+    let count = places.len();
+    let pairs: usize = (0..count).map(|i| (0..count).filter(|j| near(i, *j)).count()).sum();
+    let fraction = |axis: usize, x: f64| domain.encode(axis, x) as f64 / 2f64.powi(64);
+    let fractions = places.iter().map(|place| std::array::from_fn(|axis| fraction(axis, place[axis]))).collect();
+    let set = Set::<3> { fractions, reach, length: domain.torus_length() };
+    assert_eq!(check(&set), pairs);
+    assert!(pairs > 20 * count, "only {pairs} pairs");
 }
 
 /// Enough particles for several tasks and sort threads; only the best level, as brute force over all pairs is slow.
