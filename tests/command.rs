@@ -467,6 +467,43 @@ fn refused(test: &str, arguments: &[&str], words: &[&str]) {
     assert_eq!(place.listing(), Vec::<String>::new(), "{arguments:?}");
 }
 
+/// The README's first command at its own size, for a few steps and without the scalar reference; and the same in the plane, with it.
+#[test]
+fn the_tube_runs_in_two_and_three_dimensions() {
+    let place = Place::new("dimensions");
+    let flat = ["run", "sod", "--dim", "2", "--n", "2500", "--end-time", "0.01", "--backend", "simd", "--json"];
+    let cube = ["run", "sod", "--end-time", "0.004", "--backend", "simd", "--alone", "--json"];
+    for (arguments, dimension, runs) in [(&flat[..], 2, 3), (&cube[..], 3, 2)] {
+        let output = place.etalon(arguments);
+        assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+        let report = json(stdout(&output));
+        assert_eq!(report["scene"]["dimension"], dimension);
+        let all = report["runs"].as_array().unwrap();
+        assert_eq!(all.len(), runs);
+        for run in all {
+            let ran = &run["outcome"]["ran"];
+            assert!(ran["steps"].as_u64().unwrap() >= 3, "{}", ran["steps"]);
+            let conserved = ran["conservation"].as_array().unwrap();
+            let across = conserved.iter().find(|c| c["quantity"] == "momentum across the tube").unwrap();
+            // The start is regular across the tube: what walls take is rounding.
+            let drift = across["scaled_drift"].as_f64().unwrap().abs();
+            assert!(drift < 1e-4, "momentum across drifts by {drift:e}, tolerance 1e-4");
+        }
+        let particles = fs::read_to_string(place.path(&format!("etalon-out/sod-{dimension}d/particles.csv"))).unwrap();
+        assert_eq!(particles.lines().count() as u64, report["scene"]["particles"].as_u64().unwrap() + 2);
+    }
+}
+
+#[test]
+fn a_glass_is_relaxed_before_it_starts() {
+    let place = Place::new("glass");
+    let output =
+        place.etalon(&tiny(&["--start", "glass", "--backend", "simd", "--alone", "--end-time", "0.02", "--json"]));
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    assert!(stderr(&output).contains("relaxing a glass of 64 particles"), "{}", stderr(&output));
+    assert_eq!(json(stdout(&output))["scene"]["arrangement"], "glass");
+}
+
 /// The tube in one dimension, coarse, with walls: as a user would write it.
 fn start_file() -> String {
     let mut text = "# my own tube\nx,mass,smoothing_length,internal_energy,mobile\n".to_string();
@@ -585,6 +622,10 @@ fn what_the_reader_of_the_command_line_refuses_exits_with_2() {
         assert_eq!(code(&output), Some(2), "{arguments:?}");
         assert!(!stderr(&output).is_empty());
     }
+    refused("noscene", &["run"], &["<SCENE>", "not provided", "`etalon help`"]);
+    refused("nooption", &tiny(&["--neighbour", "9"]), &["--neighbour", "similar", "--neighbours"]);
+    refused("nocommand", &["walk"], &["unrecognized subcommand 'walk'", "`etalon help`"]);
+    refused("conflict", &tiny(&["--start-file", "x.csv"]), &["--n", "cannot be used with", "--start-file"]);
     for arguments in [&["--help"][..], &["run", "--help"], &["--version"]] {
         let output = place.etalon(arguments);
         assert_eq!(code(&output), Some(0), "{arguments:?}");

@@ -76,7 +76,7 @@ pub fn bench(arguments: &BenchArguments) -> Result<String, Failure> {
     let physics = Sod::standard(3).physics();
     let pipeline = Pipeline::of_scene::<3>(&physics);
     let double = Memory::of::<3>(Backend::Simd, Precision::Double, &pipeline, physics.neighbours);
-    memory::check(arguments.n, double.total() + size_of::<Particle<3>>() as f64)?;
+    memory::check(&format!("--n {}", arguments.n), arguments.n, double.total() + size_of::<Particle<3>>() as f64)?;
     let pool = setup::threads(Some(arguments.threads))?;
     pool.install(|| {
         let peak = fma_peak::measure(level);

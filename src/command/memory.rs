@@ -72,8 +72,8 @@ pub fn beside<const D: usize>() -> f64 {
     (size_of::<Particle<D>>() + RESULTS * (2 * D + 6) * 8) as f64
 }
 
-/// Refuses a size that does not fit into what memory there is; where the system does not say, all sizes are tried.
-pub fn check(particles: usize, bytes_each: f64) -> Result<(), Failure> {
+/// Refuses a size that does not fit into what memory there is, in the words that asked for it; where the system does not say, all sizes are tried.
+pub fn check(asked: &str, particles: usize, bytes_each: f64) -> Result<(), Failure> {
     // Particles have 32-bit numbers.
     const MOST: usize = u32::MAX as usize / 2;
     let available = machine::available_memory();
@@ -81,14 +81,14 @@ pub fn check(particles: usize, bytes_each: f64) -> Result<(), Failure> {
     let gigabytes = |bytes: f64| bytes / f64::from(1 << 30);
     match available {
         Some(available) if needed > available as f64 => Err(Failure::BadInput(format!(
-            "--n {particles}: that takes about {:.1} GiB of memory ({bytes_each:.0} bytes a particle) and {:.1} GiB are free; \
+            "{asked}: that takes about {:.1} GiB of memory ({bytes_each:.0} bytes a particle) and {:.1} GiB are free; \
              give at most {}",
             gigabytes(needed),
             gigabytes(available as f64),
             ((available as f64 / bytes_each) as usize).min(MOST)
         ))),
         _ if particles > MOST => {
-            Err(Failure::BadInput(format!("--n {particles}: particles are numbered with 32 bits; give at most {MOST}")))
+            Err(Failure::BadInput(format!("{asked}: particles are numbered with 32 bits; give at most {MOST}")))
         }
         _ => Ok(()),
     }
@@ -112,8 +112,8 @@ mod tests {
 
     #[test]
     fn a_size_beyond_memory_is_refused_with_one_that_fits() {
-        let error = check(usize::MAX / 2, 1000.0).unwrap_err().to_string();
+        let error = check("--n 9e18", usize::MAX / 2, 1000.0).unwrap_err().to_string();
         assert!(error.contains("give at most"), "{error}");
-        assert!(check(1, 1000.0).is_ok());
+        assert!(check("--n 1", 1, 1000.0).is_ok());
     }
 }

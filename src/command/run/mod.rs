@@ -102,7 +102,11 @@ impl Session<'_> {
         let memory =
             |(backend, precision): Combination| Memory::of::<D>(backend, precision, &pipeline, neighbours).total();
         let largest = self.plan.combinations.iter().map(|c| memory(*c)).fold(0.0, f64::max);
-        memory::check(self.setup.sod.particles, largest + memory::beside::<D>())?;
+        let asked = match &self.setup.start_file {
+            Some(file) => format!("--start-file {}", file.path().display()),
+            None => format!("--n {}", self.setup.sod.particles),
+        };
+        memory::check(&asked, self.setup.sod.particles, largest + memory::beside::<D>())?;
         // Drivers are opened once all else is known to be right: some talk while they start.
         let graphics = self.graphics()?;
 
