@@ -3,6 +3,7 @@
 use etalon_kernels_gen::Field;
 use etalon_reference::conformance::poison::{POISONED, stopped_by};
 use etalon_reference::engine::{PlainEngine, Scalar};
+use etalon_reference::fields;
 use etalon_reference::particles::ParticleSet;
 use etalon_reference::passes::Physics;
 use etalon_reference::scenes::sod::Sod;
@@ -31,4 +32,12 @@ fn a_run_that_is_not_finite_stops() {
         }
     }
     stops::<f64, 3>(Sod::standard(3).physics(), &[f64::NAN]);
+}
+
+/// What stops must stop for its bad value: with a good one in its place the same run goes on.
+#[test]
+fn a_run_that_is_finite_goes_on() {
+    let make = |set: &ParticleSet<1>, _: &[Field]| PlainEngine::<f64, 1>::new(set);
+    let error = stopped_by(make, Sod::standard(1).physics(), fields::INTERNAL_ENERGY, 1.0).unwrap_err().to_string();
+    assert!(error.contains("did not stop the run"), "{error}");
 }
