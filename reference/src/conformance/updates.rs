@@ -5,8 +5,7 @@ use super::{Summary, to_precision, verdict};
 use crate::engine::{Engine, EngineError, PlainEngine};
 use crate::fields;
 use crate::particles::ParticleSet;
-use crate::passes::{Correct, Decay, KickDrift};
-use crate::pipeline::Pipeline;
+use crate::pipeline::{Pipeline, UpdateVisitor};
 use crate::scenes::sod::Sod;
 use crate::schemes::Dissipation;
 use crate::simulation::Simulation;
@@ -32,54 +31,55 @@ pub fn check_updates<const D: usize, P: Roundoff, E: Engine<D>>(
 ) -> Result<Summary, EngineError> {
     // A scheme with a switch, which has an update of its own.
     let physics = Sod { dissipation: Dissipation::AvSw, ..Sod::standard(D) }.physics();
-    let mut check = Check { summary: Summary::default(), place: String::new(), difficulty: Difficulty::None };
+    let pipeline = Pipeline::of_scene::<D>(&physics);
+    let mut summary = Summary::default();
     for (difficulty, seed) in TRIED.into_iter().zip(7..) {
+        let place = format!("{D}-D, {difficulty:?}");
         let across = [100, 20, 9][D - 1];
         let set = sets::set::<D>(difficulty, across, &physics, seed).map_err(EngineError::from_display)?;
-        let mut engine = make(&set, &Pipeline::of_scene::<D>(&physics).fields::<D>())?;
-        check.place = format!("{D}-D, {difficulty:?}");
-        check.difficulty = difficulty;
+        let mut engine = make(&set, &pipeline.fields::<D>())?;
         // Passes and updates are given mobilities to compare with; a run has those that the engine took from the particles.
         let mobile = set.particles().iter().map(|p| if p.mobile { 1.0 } else { 0.0 });
         if !mobile.eq(engine.read_scalar(fields::MOBILITY)?) {
-            check.summary.failures.push(format!("{}: the engine holds other walls than the particles", check.place));
+            summary.failures.push(format!("{place}: the engine holds other walls than the particles"));
         }
         let mut run = Simulation::new(PlainEngine::<f64, D>::new(&set), physics)?;
         run.step(1.0)?;
-        let mut bounded = PlainEngine::<Bounded<P>, D>::new(&set);
-        check.update(&KickDrift(physics), run.engine(), &mut bounded, &mut engine)?;
-        check.update(&Correct, run.engine(), &mut bounded, &mut engine)?;
-        check.update(&Decay(physics), run.engine(), &mut bounded, &mut engine)?;
+        let bounded = PlainEngine::<Bounded<P>, D>::new(&set);
+        let mut check = Check { inputs: run.engine(), bounded, engine: &mut engine, place, difficulty, summary };
+        for update in pipeline.opening().iter().chain(pipeline.closing()) {
+            update.visit(physics, &mut check)?;
+        }
+        summary = check.summary;
     }
-    Ok(check.summary)
+    Ok(summary)
 }
 
-struct Check {
-    summary: Summary,
+struct Check<'e, P, E, const D: usize> {
+    inputs: &'e mut PlainEngine<f64, D>,
+    bounded: PlainEngine<Bounded<P>, D>,
+    engine: &'e mut E,
     place: String,
     difficulty: Difficulty,
+    summary: Summary,
 }
 
-impl Check {
-    fn update<const D: usize, P: Roundoff, U: Update<D>>(
-        &mut self,
-        update: &U,
-        inputs: &mut PlainEngine<f64, D>,
-        bounded: &mut PlainEngine<Bounded<P>, D>,
-        engine: &mut impl Engine<D>,
-    ) -> Result<(), EngineError> {
+impl<const D: usize, P: Roundoff, E: Engine<D>> UpdateVisitor<D> for Check<'_, P, E, D> {
+    type Output = Result<(), EngineError>;
+
+    fn visit_update<U: Update<D>>(&mut self, update: &U) -> Self::Output {
         let footprint = Footprint::of_update::<D, U>();
         for component in components(&footprint.own, D) {
-            let rounded: Vec<f64> = inputs.read(component)?.into_iter().map(to_precision::<P>).collect();
-            bounded.write(component, &rounded)?;
-            engine.write(component, &rounded)?;
+            let rounded: Vec<f64> = self.inputs.read(component)?.into_iter().map(to_precision::<P>).collect();
+            self.bounded.write(component, &rounded)?;
+            self.engine.write(component, &rounded)?;
         }
-        bounded.run_update(update, TIME_STEP)?;
-        engine.run_update(update, TIME_STEP)?;
+        self.bounded.run_update(update, TIME_STEP)?;
+        self.engine.run_update(update, TIME_STEP)?;
         let mut verdicts = Vec::new();
         for component in components(&footprint.out, D) {
-            let found = engine.read(component)?;
-            let expected = bounded.column(component).unwrap_or(&[]);
+            let found = self.engine.read(component)?;
+            let expected = self.bounded.column(component).unwrap_or(&[]);
             let verdict = verdict::<P>(U::NAME, component.name(D), &found, expected);
             if verdict.unbounded > 0 {
                 self.summary.failures.push(format!("{}: no bound: {verdict}", self.place));
