@@ -15,7 +15,7 @@ const SETTLING_ROUNDS: usize = 10;
 /// A run of steps shorter than this fraction of it would never end.
 const SHORTEST_STEP: f64 = 1e-9;
 
-/// What of the time to run is left over, by rounding, is no step.
+/// What is shorter than this fraction of the time is left over by rounding, and is no step.
 const LEFT_OVER: f64 = 1e-12;
 
 /// Particles on an engine, and the time they have reached.
@@ -81,12 +81,7 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
     /// One step, no further than `until`; returns its length.
     pub fn step(&mut self, until: f64) -> Result<f64, EngineError> {
         let rest = until - self.time;
-        if self.next_step.is_nan() || self.next_step <= SHORTEST_STEP * until {
-            return Err(EngineError(format!(
-                "the time step has shrunk to {:e} at time {}; a particle's state is not finite or changes too fast",
-                self.next_step, self.time
-            )));
-        }
+        self.refuse_steps_up_to(LEFT_OVER * self.time)?;
         let step = if rest - self.next_step <= LEFT_OVER * until { rest } else { self.next_step };
         self.update(self.pipeline.opening(), step)?;
         self.engine.drift()?;
@@ -97,9 +92,21 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
         Ok(step)
     }
 
+    /// An error if the next step is no longer than that, or no number.
+    fn refuse_steps_up_to(&self, length: f64) -> Result<(), EngineError> {
+        if self.next_step.is_nan() || self.next_step <= length {
+            return Err(EngineError(format!(
+                "the time step has shrunk to {:e} at time {}; a particle's state is not finite or changes too fast",
+                self.next_step, self.time
+            )));
+        }
+        Ok(())
+    }
+
     /// Steps until `until`, telling `progress` the time after each.
     pub fn run(&mut self, until: f64, mut progress: impl FnMut(f64)) -> Result<(), EngineError> {
         while self.time < until {
+            self.refuse_steps_up_to(SHORTEST_STEP * until)?;
             self.step(until)?;
             progress(self.time);
         }
