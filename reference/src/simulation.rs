@@ -82,7 +82,8 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
     pub fn step(&mut self, until: f64) -> Result<f64, EngineError> {
         let rest = until - self.time;
         self.refuse_steps_up_to(LEFT_OVER * self.time)?;
-        let step = if rest - self.next_step <= LEFT_OVER * until { rest } else { self.next_step };
+        let left_over = LEFT_OVER * (self.time + self.next_step);
+        let step = if rest - self.next_step <= left_over { rest } else { self.next_step };
         self.update(self.pipeline.opening(), step)?;
         self.engine.drift()?;
         self.forces()?;
