@@ -417,6 +417,7 @@ fn an_equation_is_shown_and_its_json_is_documented() {
         "c25:1",
         "c25:25",
         "courant_step",
+        "conduction_weight",
         "kernels::mixed_sinc",
         "sinc_half_pi",
     ] {

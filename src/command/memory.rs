@@ -46,7 +46,7 @@ impl Memory {
                 copy: size,
                 places: 2.0 * (axes * size + 4.0) + 24.0,
                 records: widest(&|f| (D + components(&f.other, D).len()).next_multiple_of(4)) * size,
-                neighbours: neighbours * 4.0 * (1.0 + 1.0 / 32.0) + 4.0,
+                neighbours: neighbours * 4.0 * 1.125 + 4.0,
             },
             // Buffers on the adapter, none copied.
             Backend::Wgpu => Memory {

@@ -39,7 +39,7 @@ pub struct Segment {
     first: usize,
     /// Where the neighbours of each particle begin; one more entry than there are particles.
     offsets: Vec<u32>,
-    /// The neighbours of all particles, then [`PADDING`] zeros.
+    /// The neighbours of all particles, then room without meaning.
     indices: Vec<u32>,
 }
 
@@ -90,15 +90,15 @@ impl<C: Coordinate, const D: usize> NeighbourList<C, D> {
         let pairs = AtomicUsize::new(0);
         let limit = self.pair_limit;
         self.segments.par_iter_mut().enumerate().try_for_each_init(
-            || (Scratch::default(), Segment::default()),
-            |(scratch, draft), (number, segment)| {
+            Scratch::default,
+            |scratch, (number, segment)| {
                 if pairs.load(Relaxed) > limit {
                     return Err(NeighbourError::TooManyPairs { limit, particles });
                 }
-                draft.begin(number * SEGMENT);
-                dispatch!(level, simd => search.segment(simd, number, scratch, draft))
-                    .and_then(|()| segment.copy(draft))
+                segment.begin(number * SEGMENT);
+                dispatch!(level, simd => search.segment(simd, number, scratch, segment))
                     .map_err(|_| NeighbourError::OutOfMemory { particles })?;
+                segment.finish();
                 if pairs.fetch_add(segment.pairs(), Relaxed) + segment.pairs() > limit {
                     return Err(NeighbourError::TooManyPairs { limit, particles });
                 }
@@ -185,7 +185,7 @@ impl Segment {
     #[cold]
     #[inline(never)]
     fn grow(&mut self, room: usize) -> Result<(), TryReserveError> {
-        // As much as the segment will hold in all if it goes on as it began, and an eighth more: a draft grows once or twice.
+        // As much as the segment will hold in all if it goes on as it began, and an eighth more: most grow once or twice.
         let targets = self.particles().max(1);
         let foreseen = self.pairs() / targets * SEGMENT;
         let room = room.max(foreseen);
@@ -195,27 +195,20 @@ impl Segment {
         Ok(())
     }
 
-    /// Becomes what the draft is, and keeps hardly more memory than that takes: all segments together are the largest part of a simulation.
-    fn copy(&mut self, draft: &Segment) -> Result<(), TryReserveError> {
-        let needed = draft.pairs() + PADDING;
-        // A little more, so that a flow that changes a little does not ask for new memory in every step.
-        let room = needed + needed / 64;
-        if !(needed..=room + needed / 64).contains(&self.indices.capacity()) {
-            self.indices = Vec::new();
-            self.indices.try_reserve_exact(room)?;
-        }
-        self.indices.clear();
-        self.indices.extend_from_slice(&draft.indices[..draft.pairs()]);
-        self.indices.resize(needed, 0);
-        self.offsets.clone_from(&draft.offsets);
-        self.first = draft.first;
-        Ok(())
-    }
-
     /// The next target has this number of neighbours, written to the room.
     #[inline(always)]
     pub(super) fn close_target(&mut self, neighbours: usize) {
         self.offsets.push((self.pairs() + neighbours) as u32);
+    }
+
+    /// Makes the padding valid, and gives memory back when most of it is unused.
+    fn finish(&mut self) {
+        let used = self.pairs();
+        self.indices[used..used + PADDING].fill(0);
+        if self.indices.len() > 2 * used + 4096 {
+            self.indices.truncate(used + PADDING);
+            self.indices.shrink_to_fit();
+        }
     }
 }
 
