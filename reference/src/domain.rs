@@ -42,10 +42,14 @@ pub struct Domain<const D: usize> {
     periodic: [bool; D],
 }
 
+/// 2^32: how many places a side has that are kept beside `f32` arithmetic.
+pub const SINGLE_PLACES: f64 = 4_294_967_296.0;
+/// 2^53: how many it has beside `f64` arithmetic.
+pub const DOUBLE_PLACES: f64 = 9_007_199_254_740_992.0;
 /// 2^64: how many positions a side has.
 const POSITIONS: f64 = 18_446_744_073_709_551_616.0;
 /// The bits of a coordinate below the 53 that an `f64` can tell apart.
-const UNUSED_BITS: u32 = 11;
+pub const UNUSED_BITS: u32 = 11;
 /// What is added to either end of an axis that is not periodic, in lengths of the axis.
 const MARGIN: f64 = 0.75;
 
@@ -95,7 +99,7 @@ impl<const D: usize> Domain<D> {
     pub fn encode(&self, axis: usize, position: f64) -> u64 {
         let fraction = (position - self.torus_lower()[axis]) / self.torus_length()[axis];
         let wrapped = fraction - fraction.floor();
-        (((wrapped * 4_294_967_296.0).round() as u64) & 0xffff_ffff) << 32
+        (((wrapped * SINGLE_PLACES).round() as u64) & 0xffff_ffff) << 32
     }
 
     /// The position of a fixed-point coordinate, within the box along periodic axes.
@@ -113,7 +117,7 @@ pub fn separation(a: u64, b: u64, length: f64) -> f64 {
 /// A coordinate moved by a displacement shorter than half the side, to the nearest position an `f64` can tell apart.
 #[inline(always)]
 pub fn moved(coordinate: u64, displacement: f64, length: f64) -> u64 {
-    let steps = nearest(displacement / length * 9_007_199_254_740_992.0);
+    let steps = nearest(displacement / length * DOUBLE_PLACES);
     coordinate.wrapping_add((steps << UNUSED_BITS) as u64)
 }
 

@@ -1,5 +1,7 @@
 //! The names users choose from that are not physics: scene, start, backend, precision.
 
+use etalon_kernels_gen::bounded::Roundoff;
+use etalon_kernels_gen::trace::{Double, Single};
 use etalon_reference::choice;
 use etalon_reference::scenes::Arrangement;
 
@@ -67,8 +69,8 @@ impl Precision {
     /// The largest relative error of one rounding: 2^-24 or 2^-53.
     pub fn unit_roundoff(self) -> f64 {
         match self {
-            Precision::Single => f64::from(f32::EPSILON) / 2.0,
-            Precision::Double => f64::EPSILON / 2.0,
+            Precision::Single => Single::UNIT,
+            Precision::Double => Double::UNIT,
         }
     }
     /// Bytes of a number.

@@ -3,7 +3,7 @@
 use crate::neighbours::Coordinate;
 use etalon_kernels_gen::lanes::LaneLevel;
 use etalon_kernels_gen::{Fused, Real, Reduction};
-use etalon_reference::domain::{moved, nearest};
+use etalon_reference::domain::{SINGLE_PLACES, UNUSED_BITS, moved, nearest};
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x16, f64x8, i32x16, i64x8, mask32x16, mask64x8, u32x4, u32x8, u32x16, u64x4, u64x8};
 
@@ -208,15 +208,12 @@ macro_rules! number {
     };
 }
 
-/// The bits of a 64-bit coordinate below those that `f64` keeps.
-const UNUSED_BITS: u32 = 11;
-
 number!(
     f32, "f32", 16, u32, i32x16, f32x16, u32x16, mask32x16, u32x4,
     |bits: u64| (bits >> 32) as u32,
     |coordinate: u32| u64::from(coordinate) << 32,
     |coordinate: u32, displacement: f32, length: f64| {
-        coordinate.wrapping_add(nearest(f64::from(displacement) / length * 4_294_967_296.0) as u32)
+        coordinate.wrapping_add(nearest(f64::from(displacement) / length * SINGLE_PLACES) as u32)
     },
     [0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15], |token, rows, at| {
         columns!(

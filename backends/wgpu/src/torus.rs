@@ -2,8 +2,8 @@
 
 use crate::{Error, Result};
 
-/// 2^32, the number of units round the torus.
-const UNITS: f64 = 4_294_967_296.0;
+/// The number of units round the torus.
+const UNITS: f64 = etalon_reference::domain::SINGLE_PLACES;
 
 /// A periodic box of 1, 2 or 3 axes, on which a coordinate is an unsigned 32-bit fraction of the axis' length.
 ///

@@ -10,7 +10,7 @@
 //! In double precision this would not do: there the grid of places, 2^-53 of the box, disturbs a flow more than the roundings of numbers
 //! do, and a scalar run has none to measure its effect by.
 
-use crate::domain::separation;
+use crate::domain::{SINGLE_PLACES, separation};
 use crate::engine::{Engine, EngineError, PlainEngine};
 use crate::fields;
 use crate::particles::ParticleSet;
@@ -19,11 +19,11 @@ use crate::simulation::Simulation;
 use etalon_kernels_gen::Field;
 use std::fmt;
 
-/// `sqrt(1 + 5^2)`, rounded up.
-const FACTOR: f64 = 5.1;
+/// `sqrt(1 + 5^2)`, rounded up: how far apart two computations may be of which one divides five times as badly as the other.
+pub const FACTOR: f64 = 5.1;
 
 /// Half the spacing of places, in sides of the torus.
-const HALF_GRID_STEP: f64 = 1.0 / 8_589_934_592.0;
+const HALF_GRID_STEP: f64 = 0.5 / SINGLE_PLACES;
 
 /// Fewer steps show nothing.
 const FEWEST_STEPS: u64 = 3;

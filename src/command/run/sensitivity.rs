@@ -13,6 +13,7 @@ use crate::command::choices::Precision;
 use crate::command::failure::Failure;
 use crate::report::model::Tolerance;
 use crate::report::plain;
+use etalon_reference::domain::{DOUBLE_PLACES, SINGLE_PLACES};
 use etalon_reference::engine::PlainEngine;
 use etalon_reference::norms::l2_error;
 use etalon_reference::particles::ParticleSet;
@@ -55,8 +56,8 @@ pub fn scales(reference: &Finished) -> [f64; 4] {
 /// The spacing of positions in sides of the box: 32 bits beside `f32`, 53 beside `f64`.
 fn grid(precision: Precision) -> f64 {
     match precision {
-        Precision::Single => 1.0 / 4_294_967_296.0,
-        Precision::Double => f64::EPSILON / 2.0,
+        Precision::Single => 1.0 / SINGLE_PLACES,
+        Precision::Double => 1.0 / DOUBLE_PLACES,
     }
 }
 

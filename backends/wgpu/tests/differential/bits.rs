@@ -1,6 +1,7 @@
 //! How near the device comes to the scalar reference in the same precision and the same unfused arithmetic.
 
 use etalon_kernels_gen::{Footprint, Pass, components};
+use etalon_reference::conformance::runs::FACTOR;
 use etalon_reference::conformance::sets::Difficulty;
 use etalon_reference::engine::{Engine, EngineError, PlainEngine};
 use etalon_reference::pipeline::{PassVisitor, Pipeline};
@@ -9,10 +10,6 @@ use etalon_wgpu::WgpuEngine;
 
 use crate::adapter::device;
 use crate::scene::{all_fields, physics, set};
-
-/// Two computations whose errors are independent and equally large differ by sqrt(2) times that error. WGSL allows a
-/// division 2.5 units in the last place where scalar code makes half a unit: five times the error, sqrt(1 + 5^2) times.
-const FACTOR: f64 = 5.1;
 
 struct Compare<'e, const D: usize> {
     /// Where each pass's inputs come from.
