@@ -250,6 +250,7 @@ mod tests {
             viscosity: crate::schemes::Viscosity::of(dissipation),
             gamma_minus_one: 0.4,
             neighbours: 50.0,
+            ..Physics::STANDARD
         };
         let own = [fields::ALPHA, fields::LOCAL_ALPHA, fields::REMAINING_ALPHA, fields::ALPHA_DECAY_RATE];
         let numbers = |dissipation| components(&Pipeline::of_scene::<3>(&physics(dissipation)).fields::<3>(), 3).len();

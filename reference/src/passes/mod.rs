@@ -24,7 +24,7 @@ pub use switched_momentum::SwitchedMomentum;
 pub use updates::{Correct, KickDrift};
 pub use volume_elements::VolumeElements;
 
-use crate::schemes::{GradH, Kernel, Viscosity};
+use crate::schemes::{Dissipation, GradH, Kernel, Viscosity};
 
 /// What a scene decides for all its passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,4 +39,24 @@ pub struct Physics {
     pub gamma_minus_one: f64,
     /// The number of neighbours the smoothing length aims at, the particle included.
     pub neighbours: f64,
+    /// A constant acceleration of all particles that move, axis by axis; the axes a scene does not have are not looked at.
+    pub gravity: [f64; 3],
+}
+
+impl Physics {
+    /// What a three-dimensional scene takes where it does not say otherwise: the kernel, scheme and neighbour number of GS25, an adiabatic index
+    /// of 5/3, no gravity.
+    pub const STANDARD: Self = Physics {
+        kernel: Kernel::MixedSinc,
+        grad_h: GradH::Corrected,
+        viscosity: Viscosity::of(Dissipation::AvSlrB2),
+        gamma_minus_one: 2.0 / 3.0,
+        neighbours: 100.0,
+        gravity: [0.0; 3],
+    };
+
+    /// Whether anything pulls in `dimension` dimensions.
+    pub fn has_gravity(&self, dimension: usize) -> bool {
+        self.gravity[..dimension].iter().any(|g| *g != 0.0)
+    }
 }

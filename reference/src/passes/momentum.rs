@@ -237,7 +237,11 @@ impl<const D: usize> Pass<D> for Momentum {
     #[inline(always)]
     fn finish<R: Real>(&self, own: &Self::Own<R>, sums: &Self::Sums<R>) -> Self::Out<R> {
         let MomentumEpilogue { internal_energy, mobility } = own.epilogue;
-        let acceleration = sums.acceleration.scale(mobility);
+        let pulled = match self.0.has_gravity(D) {
+            true => sums.acceleration + Vector::from_fn(|axis| R::lit(self.0.gravity[axis])),
+            false => sums.acceleration,
+        };
+        let acceleration = pulled.scale(mobility);
         let energy_rate = sums.energy_rate * mobility;
         let h = R::one() / own.pair.inverse_h;
         // None of the three may hide that another is not a number: by the step a run that has gone wrong stops.

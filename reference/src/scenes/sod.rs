@@ -133,6 +133,7 @@ impl Sod {
             viscosity: Viscosity { conduction: self.conduction, ..Viscosity::of(self.dissipation) },
             gamma_minus_one: self.gamma - 1.0,
             neighbours: self.neighbours,
+            ..Physics::STANDARD
         }
     }
 

@@ -24,7 +24,14 @@ use etalon_reference::schemes::{Dissipation, GradH, Kernel, Viscosity};
 /// A scene's physics with the mixed sinc kernel.
 fn physics(dissipation: Dissipation, grad_h: GradH) -> Physics {
     let viscosity = Viscosity::of(dissipation);
-    Physics { kernel: Kernel::MixedSinc, grad_h, viscosity, gamma_minus_one: 2.0 / 3.0, neighbours: 50.0 }
+    Physics {
+        kernel: Kernel::MixedSinc,
+        grad_h,
+        viscosity,
+        gamma_minus_one: 2.0 / 3.0,
+        neighbours: 50.0,
+        ..Physics::STANDARD
+    }
 }
 
 /// Every scheme with either form of the grad-h factor.

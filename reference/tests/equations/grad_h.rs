@@ -234,7 +234,7 @@ fn plain_form_is_a_difference() {
 
 fn physics(kernel: Kernel, grad_h: GradH) -> Physics {
     let viscosity = Viscosity::of(Dissipation::Av);
-    Physics { kernel, grad_h, viscosity, gamma_minus_one: 0.4, neighbours: 100.0 }
+    Physics { kernel, grad_h, viscosity, gamma_minus_one: 0.4, neighbours: 100.0, ..Physics::STANDARD }
 }
 
 /// The passes up to the grad-h factor.

@@ -38,7 +38,14 @@ impl Factors {
     fn of(grad_h: GradH) -> Self {
         let set = gas();
         let viscosity = Viscosity::of(Dissipation::Av);
-        let physics = Physics { kernel: Kernel::MixedSinc, grad_h, viscosity, gamma_minus_one: 0.4, neighbours: 100.0 };
+        let physics = Physics {
+            kernel: Kernel::MixedSinc,
+            grad_h,
+            viscosity,
+            gamma_minus_one: 0.4,
+            neighbours: 100.0,
+            ..Physics::STANDARD
+        };
         let mut engine = PlainEngine::<f64, 3>::new(&set);
         engine.find_neighbours(2.0).unwrap();
         Pipeline::leading_to::<3>(PassKind::Gradients).run(&mut engine, physics).unwrap();

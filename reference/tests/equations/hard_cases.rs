@@ -217,7 +217,14 @@ fn a_lone_particle_has_its_kernels_volume() {
         let h = 0.1_f64;
         let mut engine = engine_with(vec![particle([0.5; D], h)]);
         let viscosity = Viscosity::of(Dissipation::Av);
-        let physics = Physics { kernel, grad_h: GradH::Exact, viscosity, gamma_minus_one: 0.4, neighbours: 50.0 };
+        let physics = Physics {
+            kernel,
+            grad_h: GradH::Exact,
+            viscosity,
+            gamma_minus_one: 0.4,
+            neighbours: 50.0,
+            ..Physics::STANDARD
+        };
         engine.find_neighbours(kernel.support()).unwrap();
         engine.run_pass(&VolumeElements(physics)).unwrap();
         engine.run_pass(&Density(physics)).unwrap();
@@ -296,7 +303,14 @@ fn slow_heating_needs_double_precision() {
         let mut engine = PlainEngine::<T, 1>::new(&ParticleSet::new(domain, vec![particle([0.5], 0.1)]).unwrap());
         let viscosity = Viscosity::of(Dissipation::Av);
         let kernel = Kernel::CubicSpline;
-        let physics = Physics { kernel, grad_h: GradH::Exact, viscosity, gamma_minus_one: 0.001, neighbours: 4.0 };
+        let physics = Physics {
+            kernel,
+            grad_h: GradH::Exact,
+            viscosity,
+            gamma_minus_one: 0.001,
+            neighbours: 4.0,
+            ..Physics::STANDARD
+        };
         let others = [fields::INVERSE_SMOOTHING_LENGTH, fields::VOLUME, fields::GRAD_H, fields::ACCELERATION];
         let values = others.into_iter().zip([10.0, 0.1, 1.0, 0.0]);
         for (field, value) in values.chain([(fields::INTERNAL_ENERGY, 1000.0), (fields::ENERGY_RATE, 0.02)]) {
@@ -340,7 +354,14 @@ fn a_lone_particle_has_a_critical_separation() {
     fn check<const D: usize>(kernel: Kernel) {
         let mut engine = engine_with(vec![particle([0.5; D], 0.1)]);
         let viscosity = Viscosity::of(Dissipation::AvSlrB2);
-        let physics = Physics { kernel, grad_h: GradH::Corrected, viscosity, gamma_minus_one: 0.4, neighbours: 50.0 };
+        let physics = Physics {
+            kernel,
+            grad_h: GradH::Corrected,
+            viscosity,
+            gamma_minus_one: 0.4,
+            neighbours: 50.0,
+            ..Physics::STANDARD
+        };
         engine.find_neighbours(kernel.support()).unwrap();
         engine.run_pass(&VolumeElements(physics)).unwrap();
         engine.run_pass(&Density(physics)).unwrap();

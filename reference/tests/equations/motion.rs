@@ -14,7 +14,14 @@ use etalon_reference::schemes::{ApproachForm, Dissipation, GradH, Kernel, Viscos
 
 fn physics(dissipation: Dissipation, grad_h: GradH) -> Physics {
     let viscosity = Viscosity::of(dissipation);
-    Physics { kernel: Kernel::MixedSinc, grad_h, viscosity, gamma_minus_one: 2.0 / 3.0, neighbours: 50.0 }
+    Physics {
+        kernel: Kernel::MixedSinc,
+        grad_h,
+        viscosity,
+        gamma_minus_one: 2.0 / 3.0,
+        neighbours: 50.0,
+        ..Physics::STANDARD
+    }
 }
 
 /// All that the formulas take of a particle, read from the engine.

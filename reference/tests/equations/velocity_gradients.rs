@@ -19,6 +19,7 @@ const PHYSICS: Physics = Physics {
     viscosity: Viscosity::of(Dissipation::AvSlrB2),
     gamma_minus_one: 2.0 / 3.0,
     neighbours: 50.0,
+    ..Physics::STANDARD
 };
 
 /// The velocity gradient of a linear flow with an offset, on an open cloud unequal in everything.

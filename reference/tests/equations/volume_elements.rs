@@ -18,6 +18,7 @@ const PHYSICS: Physics = Physics {
     viscosity: Viscosity::of(Dissipation::Av),
     gamma_minus_one: 2.0 / 3.0,
     neighbours: 50.0,
+    ..Physics::STANDARD
 };
 
 #[test]
