@@ -237,17 +237,18 @@ pub fn check_dimension<const D: usize, P: Roundoff, E: Engine<D>>(
     mut make: impl FnMut(&ParticleSet<D>, &[Field]) -> Result<E, EngineError>,
 ) -> Result<Summary, EngineError> {
     let mut summary = Summary::default();
-    let usual = Sod::standard(D);
-    let schemes = Dissipation::ALL.iter().map(|&dissipation| Sod { dissipation, ..usual });
+    let usual = Sod::standard(D).physics();
+    let viscosity = usual.viscosity;
+    let with = |viscosity| Physics { viscosity, ..usual };
+    let schemes = Dissipation::ALL.iter().map(|&dissipation| with(Viscosity::of(dissipation)));
     // The usual ones are among the schemes.
-    let kernels = Kernel::ALL.iter().map(|&kernel| Sod { kernel, ..usual }).filter(|scene| *scene != usual);
-    let forms = GradH::ALL.iter().map(|&grad_h| Sod { grad_h, ..usual }).filter(|scene| *scene != usual);
-    let conduction = Sod { conduction: Viscosity::CONDUCTION, ..usual };
-    for (round, scene) in schemes.chain(kernels).chain(forms).chain([conduction]).enumerate() {
-        let physics = scene.physics();
+    let kernels = Kernel::ALL.iter().map(|&kernel| Physics { kernel, ..usual }).filter(|physics| *physics != usual);
+    let forms = GradH::ALL.iter().map(|&grad_h| Physics { grad_h, ..usual }).filter(|physics| *physics != usual);
+    let conduction = with(Viscosity { conduction: Viscosity::CONDUCTION, ..viscosity });
+    for (round, physics) in schemes.chain(kernels).chain(forms).chain([conduction]).enumerate() {
         // The plainest scheme, the usual one and conduction, which is a pass of its own, meet every difficulty, the variations only the
         // first ones: what is difficult is the same for all.
-        let every = round == 0 || scene == usual || scene == conduction;
+        let every = round == 0 || physics == usual || physics == conduction;
         let tried = if every { Difficulty::ALL } else { &Difficulty::ALL[..2] };
         for &difficulty in tried {
             let across = [24, 10, 9][D - 1];
@@ -255,7 +256,10 @@ pub fn check_dimension<const D: usize, P: Roundoff, E: Engine<D>>(
                 sets::set::<D>(difficulty, across, &physics, 1 + round as u64).map_err(EngineError::from_display)?;
             let fields = Pipeline::of_scene::<D>(&physics).fields::<D>();
             let mut engine = make(&set, &fields)?;
-            let place = format!("{D}-D, {difficulty:?}, {}, {}, {}", scene.dissipation, scene.kernel, scene.grad_h);
+            let place = format!(
+                "{D}-D, {difficulty:?}, {}, {}, {}",
+                physics.viscosity.dissipation, physics.kernel, physics.grad_h
+            );
             let verdicts = check_passes::<D, P, E>(&set, physics, &mut engine)
                 .map_err(|e| EngineError(format!("{place}: {e}")))?;
             summary.add::<P>(&place, D, difficulty, verdicts);

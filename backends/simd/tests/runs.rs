@@ -7,7 +7,7 @@ use etalon_reference::particles::ParticleSet;
 use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
 use etalon_reference::scenes::sod::Sod;
-use etalon_reference::schemes::Dissipation;
+use etalon_reference::schemes::{Dissipation, Viscosity};
 use etalon_simd::{LaneEngine, Options};
 
 /// One level is enough: all give the same bits (`same_bits.rs`).
@@ -24,14 +24,14 @@ fn follow<const D: usize>(set: &ParticleSet<D>, physics: Physics, until: f64) {
 
 #[test]
 fn the_shock_tube_in_one_dimension() {
-    let scene = Sod { particles: 200, ..Sod::standard(1) };
+    let scene = Sod::standard(1).with(|m| m.particles = 200);
     let set = scene.particles::<1>(|_| Ok(Vec::new())).unwrap();
     follow::<1>(&set, scene.physics(), 0.05);
 }
 
 #[test]
 fn the_shock_tube_in_two_dimensions() {
-    let scene = Sod { particles: 3000, dissipation: Dissipation::AvSlrB2F, ..Sod::standard(2) };
+    let scene = Sod::standard(2).with(|m| (m.particles, m.viscosity) = (3000, Viscosity::of(Dissipation::AvSlrB2F)));
     let set = scene.particles::<2>(|_| Ok(Vec::new())).unwrap();
     follow::<2>(&set, scene.physics(), 0.01);
 }

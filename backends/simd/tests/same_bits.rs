@@ -69,19 +69,20 @@ fn compare(what: &str, thread_numbers: &[usize], run: impl Fn(Level) -> Bits + S
 
 /// Three steps of the usual scheme, then of others; then a round of passes on every difficult set.
 fn same_bits<const D: usize, T: Number>(across: usize) {
-    let usual = Sod::standard(D);
-    let plain = set::<D>(Difficulty::None, across, &usual.physics(), 7).unwrap();
+    let usual = Sod::standard(D).physics();
+    let plain = set::<D>(Difficulty::None, across, &usual, 7).unwrap();
     let what = |case: String| format!("{} {D}-D, {case}", T::NAME);
-    compare(&what("usual".into()), &[1, 2, 5], |level| after_steps::<D, T>(&plain, usual.physics(), level));
+    compare(&what("usual".into()), &[1, 2, 5], |level| after_steps::<D, T>(&plain, usual, level));
     for dissipation in [Dissipation::Av, Dissipation::AvSlrB2F, Dissipation::AvSwSlr] {
-        let scene = Sod { dissipation, conduction: Viscosity::CONDUCTION, ..usual };
+        let viscosity = Viscosity { conduction: Viscosity::CONDUCTION, ..Viscosity::of(dissipation) };
+        let physics = Physics { viscosity, ..usual };
         let case = what(format!("{dissipation} with conduction"));
-        compare(&case, &[2], |level| after_one_round::<D, T>(&plain, scene.physics(), level));
+        compare(&case, &[2], |level| after_one_round::<D, T>(&plain, physics, level));
     }
     for &difficulty in Difficulty::ALL {
-        let set = set::<D>(difficulty, across, &usual.physics(), 7).unwrap();
+        let set = set::<D>(difficulty, across, &usual, 7).unwrap();
         let case = what(format!("{difficulty:?}"));
-        compare(&case, &[2], |level| after_one_round::<D, T>(&set, usual.physics(), level));
+        compare(&case, &[2], |level| after_one_round::<D, T>(&set, usual, level));
     }
 }
 

@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn measure<const D: usize>() -> Result<(), Box<dyn Error>> {
-    let scene = Sod { particles: number(1, 20_000), ..Sod::standard(D) };
+    let scene = Sod::standard(D).with(|m| m.particles = number(1, 20_000));
     let set = scene.particles::<D>(|_| Ok(Vec::new()))?;
     let device = etalon_wgpu::open(None)?;
     println!("{}", device.adapter());

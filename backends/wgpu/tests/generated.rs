@@ -46,7 +46,7 @@ fn texts<const D: usize>(physics: Physics) -> Vec<(&'static str, String)> {
 }
 
 fn physics<const D: usize>(dissipation: Dissipation) -> Physics {
-    Sod { dissipation, ..Sod::standard(D) }.physics()
+    Physics { viscosity: Viscosity::of(dissipation), ..Sod::standard(D).physics() }
 }
 
 fn all_valid<const D: usize>() {

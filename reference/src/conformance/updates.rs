@@ -5,9 +5,10 @@ use super::{Summary, to_precision, verdict};
 use crate::engine::{Engine, EngineError, PlainEngine};
 use crate::fields;
 use crate::particles::ParticleSet;
+use crate::passes::Physics;
 use crate::pipeline::{Pipeline, UpdateVisitor};
 use crate::scenes::sod::Sod;
-use crate::schemes::Dissipation;
+use crate::schemes::{Dissipation, Viscosity};
 use crate::simulation::Simulation;
 use etalon_kernels_gen::bounded::{Bounded, Roundoff};
 use etalon_kernels_gen::{Field, Footprint, Update, components};
@@ -30,7 +31,7 @@ pub fn check_updates<const D: usize, P: Roundoff, E: Engine<D>>(
     mut make: impl FnMut(&ParticleSet<D>, &[Field]) -> Result<E, EngineError>,
 ) -> Result<Summary, EngineError> {
     // A scheme with a switch, which has an update of its own.
-    let physics = Sod { dissipation: Dissipation::AvSw, ..Sod::standard(D) }.physics();
+    let physics = Physics { viscosity: Viscosity::of(Dissipation::AvSw), ..Sod::standard(D).physics() };
     let pipeline = Pipeline::of_scene::<D>(&physics);
     let mut summary = Summary::default();
     for (difficulty, seed) in TRIED.into_iter().zip(7..) {

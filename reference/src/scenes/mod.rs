@@ -1,17 +1,34 @@
 //! The problems that are run: initial state, boundaries, physics, end time and what to compare with.
 
+mod error;
+mod filling;
 mod glass;
 mod lattice;
+mod method;
+mod problem;
+mod scene;
 pub mod sod;
+mod state;
+mod view;
 
+pub use error::SceneError;
+pub use filling::{Block, Filling};
 pub use glass::{GlassError, relax};
 pub use lattice::Tube;
+pub use method::Method;
+pub use problem::{Definition, Name, Problem, ReadChoices};
+pub use scene::{Description, GivenMomentum, Glasses, Measured, Quantity, Scene, Solution};
+pub use state::{State, Totals};
+pub use view::View;
 
-/// How particles are laid out at the start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Arrangement {
-    /// On a cubic lattice on each side.
-    Lattice,
-    /// Relaxed from random places to a glass, without direction or order.
-    Glass,
+use crate::choice;
+
+choice! {
+    /// How particles are laid out at the start.
+    Arrangement, "start" {
+        /// On a cubic lattice on each side.
+        Lattice = "lattice",
+        /// Relaxed from random places to a glass, without direction or order.
+        Glass = "glass",
+    }
 }

@@ -1,13 +1,13 @@
 //! Sod's shock tube (GS25 section 3.1): two gases at rest, eight times denser and ten times the pressure on the left.
 
-use super::{Arrangement, Tube, lattice::Side};
+use super::scene::{Description, GivenMomentum, Glasses, Measured, Scene, Solution};
+use super::{Arrangement, Definition, GlassError, Method, SceneError, Tube, View, lattice::Side};
 use crate::domain::Domain;
 use crate::equations::initial_state::smoothed_pressure;
-use crate::equations::reconstruction::smoothing_length_holding;
-use crate::exact::riemann::{RiemannError, RiemannProblem, State};
+use crate::exact::riemann::{RiemannError, RiemannProblem, State, Wave};
 use crate::particles::{Particle, ParticleError, ParticleSet};
 use crate::passes::Physics;
-use crate::schemes::{Dissipation, GradH, Kernel, Viscosity};
+use serde::{Deserialize, Serialize};
 
 /// Where the two gases meet (GS25 21).
 pub const INTERFACE: f64 = 0.5;
@@ -26,121 +26,53 @@ pub const MEASURED: (f64, f64) = (0.05, 0.868);
 /// The fixed layers beyond both ends, in smoothing lengths of their side: more than a support and what a particle at the end moves.
 const WALL: f64 = 4.0;
 
-/// The choices of a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The tube: what is a choice of the problem.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Sod {
-    /// About how many particles, the walls not counted.
-    pub particles: usize,
-    /// How they start.
-    pub arrangement: Arrangement,
+    /// How it is computed.
+    #[serde(skip)]
+    pub method: Method,
     /// Whether the pressure is smoothed across the interface (GS25 21); sharp otherwise.
     pub smoothed: bool,
     /// The adiabatic index; the paper's is 5/3.
     pub gamma: f64,
-    /// The kernel.
-    pub kernel: Kernel,
-    /// The number of neighbours, the particle included.
-    pub neighbours: f64,
-    /// The dissipation scheme.
-    pub dissipation: Dissipation,
-    /// The grad-h form.
-    pub grad_h: GradH,
-    /// The coefficient of artificial conduction; zero for none.
-    pub conduction: f64,
 }
 
-/// What is wrong with the choices.
-#[derive(Debug, thiserror::Error)]
-pub enum SodError {
-    /// So few particles that a support would meet itself around the tube.
-    #[error(
-        "--n {given}: too few for {neighbours} neighbours in the {dimension}-D tube, whose supports would meet themselves around it; \
-         --n {enough} is enough"
-    )]
-    TooFew {
-        /// What was asked for.
-        given: usize,
-        /// In how many dimensions.
-        dimension: usize,
-        /// What works.
-        enough: usize,
-        /// With so many neighbours.
-        neighbours: f64,
-    },
-    /// A neighbour number that no kernel can use.
-    #[error("--neighbours {given}: {dimension}-D needs between {least} and {most}")]
-    Neighbours {
-        /// What was asked for.
-        given: f64,
-        /// In how many dimensions.
-        dimension: usize,
-        /// At least.
-        least: f64,
-        /// At most.
-        most: f64,
-    },
-    /// The gas is no gas: of all that the exact solution takes, only gamma is a choice.
-    #[error("--gamma: {0}")]
-    Riemann(#[from] RiemannError),
-    /// Particles of which none counts.
-    #[error(
-        "no particle that moves is between x = {} and x = {}, where errors are measured; give a tube from 0 to 1",
-        MEASURED.0, MEASURED.1
-    )]
-    NothingMeasured,
-    /// Supports that would meet themselves around the tube.
-    #[error("a particle's support reaches {reach} far, and the tube leaves it {most}; give smaller smoothing lengths")]
-    Wide {
-        /// The widest support's radius.
-        reach: f64,
-        /// Half the tube's width.
-        most: f64,
-    },
-    /// The particles were refused.
-    #[error(transparent)]
-    Particles(#[from] ParticleError),
-    /// The glass failed.
-    #[error(transparent)]
-    Glass(#[from] super::GlassError),
+impl Default for Sod {
+    fn default() -> Self {
+        Sod::standard(3)
+    }
 }
 
 impl Sod {
     /// The paper's settings in `dimension` dimensions, with a size that the scalar reference runs within a minute.
     pub fn standard(dimension: usize) -> Self {
-        Sod {
-            particles: [450, 6_000, 14_000][dimension - 1],
-            arrangement: Arrangement::Lattice,
-            smoothed: false,
-            gamma: 5.0 / 3.0,
-            kernel: Kernel::MixedSinc,
-            neighbours: Self::usual_neighbours(dimension),
-            dissipation: Dissipation::AvSlrB2,
-            grad_h: GradH::Corrected,
-            conduction: 0.0,
-        }
+        let method = Method::standard(dimension, [450, 6_000, 14_000][dimension - 1]);
+        Sod { method, smoothed: false, gamma: 5.0 / 3.0 }
     }
 
-    /// About 100 neighbours in 3-D (GS25), and the same support in spacings in the other dimensions.
-    pub fn usual_neighbours(dimension: usize) -> f64 {
-        [5.8, 26.0, 100.0][dimension - 1]
+    /// The same with another method.
+    pub fn with(mut self, change: impl FnOnce(&mut Method)) -> Self {
+        change(&mut self.method);
+        self
     }
 
     /// The physics of all passes.
     pub fn physics(&self) -> Physics {
-        Physics {
-            kernel: self.kernel,
-            grad_h: self.grad_h,
-            viscosity: Viscosity { conduction: self.conduction, ..Viscosity::of(self.dissipation) },
-            gamma_minus_one: self.gamma - 1.0,
-            neighbours: self.neighbours,
-            ..Physics::STANDARD
-        }
+        self.method.physics(self.gamma)
     }
 
     /// The exact solution of the sharp start.
-    pub fn exact(&self) -> Result<RiemannProblem<f64>, SodError> {
+    pub fn exact(&self) -> Result<RiemannProblem<f64>, SceneError> {
         let state = |side: usize| State { density: DENSITY[side], velocity: 0.0, pressure: PRESSURE[side] };
-        Ok(RiemannProblem::new(state(0), state(1), self.gamma)?)
+        // Of all that the exact solution takes, only gamma is a choice.
+        let refused = |error: RiemannError| SceneError::Choice {
+            name: "gamma",
+            given: self.gamma.to_string(),
+            rule: error.to_string(),
+        };
+        RiemannProblem::new(state(0), state(1), self.gamma).map_err(refused)
     }
 
     fn pressure(&self, side: usize, x: f64) -> f64 {
@@ -160,18 +92,18 @@ impl Sod {
     /// The initial particles. `glass` gives a relaxed cube of `across^D` particles when one is asked for.
     pub fn particles<const D: usize>(
         &self,
-        mut glass: impl FnMut(usize) -> Result<Vec<[f64; D]>, super::GlassError>,
-    ) -> Result<ParticleSet<D>, SodError> {
+        mut glass: impl FnMut(usize) -> Result<Vec<[f64; D]>, GlassError>,
+    ) -> Result<ParticleSet<D>, SceneError> {
         self.check::<D>()?;
-        let (sides, mass) = TUBE.sides::<D>(self.particles);
-        let reach = self.kernel.support();
+        let (sides, mass) = TUBE.sides::<D>(self.method.particles);
+        let reach = self.method.kernel.support();
         let mut particles = Vec::new();
         let mut depth = [0.0; 2];
         for (side, lattice) in sides.into_iter().enumerate() {
             let density = DENSITY[side];
-            let h = smoothing_length_holding(self.neighbours, mass / density, D, self.kernel.support());
+            let h = self.method.smoothing_length(D, mass / density);
             depth[side] = WALL.max(2.0 * reach) * h;
-            let places = match self.arrangement {
+            let places = match self.method.arrangement {
                 Arrangement::Lattice => TUBE.places::<D>(side, lattice, depth[side]),
                 Arrangement::Glass => tiles(side, lattice, depth[side], &glass(lattice.across)?),
             };
@@ -192,25 +124,27 @@ impl Sod {
     }
 
     /// Whether there are such a gas and so many neighbours.
-    pub fn check_physics(&self, dimension: usize) -> Result<(), SodError> {
+    pub fn check_physics(&self, dimension: usize) -> Result<(), SceneError> {
         self.exact()?;
-        let (least, most) = [(4.0, 40.0), (10.0, 150.0), (30.0, 600.0)][dimension - 1];
-        if !(least..=most).contains(&self.neighbours) {
-            return Err(SodError::Neighbours { given: self.neighbours, dimension, least, most });
-        }
-        Ok(())
+        self.method.check(dimension)
     }
 
     /// Particles made elsewhere in the tube's box: periodic across it, and as long as they and their supports reach.
-    pub fn particles_given<const D: usize>(&self, particles: Vec<Particle<D>>) -> Result<ParticleSet<D>, SodError> {
-        let reach = |p: &Particle<D>| self.kernel.support() * p.smoothing_length;
+    pub fn particles_given<const D: usize>(&self, particles: Vec<Particle<D>>) -> Result<ParticleSet<D>, SceneError> {
+        let reach = |p: &Particle<D>| self.method.kernel.support() * p.smoothing_length;
         let measured = particles.iter().any(|p| p.mobile && (MEASURED.0..=MEASURED.1).contains(&p.position[0]));
         if !measured {
-            return Err(SodError::NothingMeasured);
+            return Err(SceneError::Given(format!(
+                "no particle that moves is between x = {} and x = {}, where errors are measured; give a tube from 0 to 1",
+                MEASURED.0, MEASURED.1
+            )));
         }
         let widest = particles.iter().map(reach).fold(0.0, f64::max);
         if D > 1 && 2.0 * widest > WIDTH {
-            return Err(SodError::Wide { reach: widest, most: 0.5 * WIDTH });
+            let most = 0.5 * WIDTH;
+            return Err(SceneError::Given(format!(
+                "a particle's support reaches {widest} far, and the tube leaves it {most}; give smaller smoothing lengths"
+            )));
         }
         let lowest = particles.iter().map(|p| p.position[0] - reach(p)).fold(f64::INFINITY, f64::min);
         let highest = particles.iter().map(|p| p.position[0] + reach(p)).fold(f64::NEG_INFINITY, f64::max);
@@ -218,16 +152,16 @@ impl Sod {
     }
 
     /// Whether these choices make a tube in `D` dimensions.
-    pub fn check<const D: usize>(&self) -> Result<(), SodError> {
+    pub fn check<const D: usize>(&self) -> Result<(), SceneError> {
         self.check_physics(D)?;
-        if !self.fits::<D>(self.particles) {
-            let (given, neighbours) = (self.particles, self.neighbours);
+        if !self.fits::<D>(self.method.particles) {
+            let (given, neighbours) = (self.method.particles, self.method.neighbours);
             // Rows across the tube are whole: somewhat more particles are not always closer, so each number is tried.
             let mut enough = given.max(LEAST);
             while !self.fits::<D>(enough) {
                 enough += 1 + enough / 100;
             }
-            return Err(SodError::TooFew { given, dimension: D, enough, neighbours });
+            return Err(SceneError::TooFew { given, dimension: D, enough, neighbours });
         }
         Ok(())
     }
@@ -238,12 +172,135 @@ impl Sod {
             return false;
         }
         let (_, mass) = TUBE.sides::<D>(particles);
-        let h = smoothing_length_holding(self.neighbours, mass / DENSITY[1], D, self.kernel.support());
-        let room = match self.arrangement {
+        let h = self.method.smoothing_length(D, mass / DENSITY[1]);
+        let room = match self.method.arrangement {
             Arrangement::Lattice => LATTICE_ROOM,
             Arrangement::Glass => GLASS_ROOM,
         };
-        D == 1 || 2.0 * self.kernel.support() * h * room <= WIDTH
+        D == 1 || 2.0 * self.method.kernel.support() * h * room <= WIDTH
+    }
+}
+
+impl Definition for Sod {
+    const TITLE: &'static str = "Sod shock tube";
+    const SOURCE: &'static str = "GS25, section 3.1";
+    const DIMENSIONS: &'static [usize] = &[3, 2, 1];
+    const SOLUTION: &'static str = "Riemann problem";
+
+    fn standard(dimension: usize) -> Self {
+        Sod::standard(dimension)
+    }
+    fn end_time(&self) -> f64 {
+        END_TIME
+    }
+    fn method(&self) -> &Method {
+        &self.method
+    }
+    fn method_mut(&mut self) -> &mut Method {
+        &mut self.method
+    }
+    fn gamma_mut(&mut self) -> Option<&mut f64> {
+        Some(&mut self.gamma)
+    }
+}
+
+impl<const D: usize> Scene<D> for Sod {
+    fn method(&self) -> &Method {
+        &self.method
+    }
+    fn physics(&self) -> Physics {
+        Sod::physics(self)
+    }
+    fn check(&self) -> Result<(), SceneError> {
+        Sod::check::<D>(self)
+    }
+    fn particles(&self, glasses: &mut Glasses<D>) -> Result<ParticleSet<D>, SceneError> {
+        Sod::particles::<D>(self, glasses)
+    }
+    fn view(&self) -> View {
+        View::Along(0)
+    }
+    fn shown(&self) -> (f64, f64) {
+        (0.0, 1.0)
+    }
+    fn measured(&self, _: f64) -> Measured {
+        Measured { range: MEASURED, source: "GS25, section 3.1 and Eq. 20" }
+    }
+    fn solution(&self, time: f64) -> Result<Option<Box<dyn Solution>>, SceneError> {
+        Ok(Some(Box::new(TubeAt { problem: self.exact()?, time, gamma_minus_one: self.gamma - 1.0 })))
+    }
+    /// When the first wave reaches an end of the tube.
+    fn last_time(&self) -> (f64, &'static str) {
+        let Ok(exact) = self.exact() else { return (0.0, "there is no exact solution") };
+        let room = [INTERFACE, 1.0 - INTERFACE];
+        let reaches = |wave: Option<Wave<f64>>, room: f64| wave.map_or(f64::INFINITY, |w| room / w.head().abs());
+        let last = reaches(exact.left_wave(), room[0]).min(reaches(exact.right_wave(), room[1]));
+        (last, "a wave reaches the end of the tube then")
+    }
+    fn given_momentum(&self, time: f64) -> GivenMomentum {
+        let area = WIDTH.powi(D as i32 - 1);
+        let pressure = PRESSURE[0] - PRESSURE[1];
+        GivenMomentum::Along {
+            axis: 0,
+            momentum: pressure * area * time,
+            by: format!(
+                "the fixed layers push with the pressure of the gas at rest, P_L − P_R = {pressure} on an area of {area}"
+            ),
+        }
+    }
+    fn description(&self) -> Description {
+        let pair = |[left, right]: [f64; 2]| format!("{left}, {right}");
+        Description {
+            start: match self.smoothed {
+                true => format!(
+                    "pressure smoothed over {SMOOTHING_WIDTH} (GS25, Eq. 21), while the exact solution is that of the sharp start"
+                ),
+                false => "sharp".into(),
+            },
+            boundaries: match D {
+                1 => "fixed layers at both ends".into(),
+                _ => "fixed layers at both ends of the tube, periodic across it".into(),
+            },
+            settings: vec![
+                ("Density, left and right".into(), pair(DENSITY)),
+                ("Pressure, left and right".into(), pair(PRESSURE)),
+            ],
+        }
+    }
+}
+
+/// The exact solution of the sharp start at one time.
+struct TubeAt {
+    problem: RiemannProblem<f64>,
+    time: f64,
+    gamma_minus_one: f64,
+}
+
+impl TubeAt {
+    fn waves(&self) -> impl Iterator<Item = Wave<f64>> {
+        [self.problem.left_wave(), self.problem.right_wave()].into_iter().flatten()
+    }
+    fn place(&self, speed: f64) -> f64 {
+        INTERFACE + speed * self.time
+    }
+}
+
+impl Solution for TubeAt {
+    fn at(&self, x: f64) -> [f64; 4] {
+        let state = self.problem.sample((x - INTERFACE) / self.time);
+        let energy = state.pressure / (self.gamma_minus_one * state.density);
+        [state.density, state.velocity, state.pressure, energy]
+    }
+    fn corners(&self) -> Vec<f64> {
+        let ends = self.waves().flat_map(|wave| match wave {
+            Wave::Rarefaction { head, tail } => vec![head, tail],
+            Wave::Shock { .. } => Vec::new(),
+        });
+        ends.map(|speed| self.place(speed)).collect()
+    }
+    fn jumps(&self) -> Vec<f64> {
+        let shocks = self.waves().filter_map(|wave| wave.shock());
+        self.problem.contact().into_iter().chain(shocks).map(|speed| self.place(speed)).collect()
     }
 }
 
@@ -291,10 +348,10 @@ mod tests {
 
     fn a_refusal_names_a_number_that_works<const D: usize>(arrangement: Arrangement) {
         for given in [0, 1, 39, 100, 500, 1000, 1700, 13_000] {
-            let sod = Sod { particles: given, arrangement, ..Sod::standard(D) };
-            if let Err(SodError::TooFew { enough, .. }) = sod.check::<D>() {
+            let sod = Sod::standard(D).with(|m| (m.particles, m.arrangement) = (given, arrangement));
+            if let Err(SceneError::TooFew { enough, .. }) = sod.check::<D>() {
                 assert!(enough > given);
-                let more = Sod { particles: enough, ..sod };
+                let more = sod.with(|m| m.particles = enough);
                 assert!(more.check::<D>().is_ok(), "{D}-D: {enough} for {given}");
                 assert!(more.particles::<D>(|across| Ok(regular(across))).is_ok(), "{D}-D: {enough} for {given}");
             }
@@ -313,10 +370,10 @@ mod tests {
 
     /// Both starts put the same mass on either side; a glass may be cut short by one layer at the end.
     fn a_glass_has_the_density_of_the_lattice<const D: usize>(across_in_1d: usize) {
-        let sod = Sod { particles: 20_000, ..Sod::standard(D) };
+        let sod = Sod::standard(D).with(|m| m.particles = 20_000);
         let count = |arrangement| {
             let across = |across: usize| if D == 1 { across_in_1d } else { across };
-            let set = Sod { arrangement, ..sod }.particles::<D>(|n| Ok(regular(across(n)))).unwrap();
+            let set = sod.with(|m| m.arrangement = arrangement).particles::<D>(|n| Ok(regular(across(n)))).unwrap();
             let inside = |p: &&Particle<D>| (0.05..0.95).contains(&p.position[0]);
             let left = set.particles().iter().filter(inside).filter(|p| p.position[0] < INTERFACE).count();
             [left, set.particles().iter().filter(inside).count() - left]

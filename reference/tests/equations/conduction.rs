@@ -29,7 +29,7 @@ fn whole_numbers() {
 }
 
 fn physics<const D: usize>(conduction: f64) -> Physics {
-    let physics = Sod { dissipation: Dissipation::AvSlrB2, ..Sod::standard(D) }.physics();
+    let physics = Sod::standard(D).physics();
     Physics { viscosity: Viscosity { conduction, ..physics.viscosity }, ..physics }
 }
 

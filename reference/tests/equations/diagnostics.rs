@@ -9,9 +9,10 @@ use etalon_reference::domain::separation;
 use etalon_reference::engine::{Engine, PlainEngine};
 use etalon_reference::equations::dissipation::sign_is_reversed;
 use etalon_reference::fields;
+use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
 use etalon_reference::scenes::sod::Sod;
-use etalon_reference::schemes::Dissipation;
+use etalon_reference::schemes::{Dissipation, Viscosity};
 
 #[test]
 fn signs_are_compared_without_a_product() {
@@ -29,7 +30,7 @@ fn signs_are_compared_without_a_product() {
 #[test]
 fn reversed_pairs_are_counted() {
     let set = Recipe::unequal::<2>(95).particles::<2>(true);
-    let physics = Sod { dissipation: Dissipation::AvSlr, ..Sod::standard(2) }.physics();
+    let physics = Physics { viscosity: Viscosity::of(Dissipation::AvSlr), ..Sod::standard(2).physics() };
     let mut engine = PlainEngine::<f64, 2>::new(&set);
     engine.find_neighbours(2.0).unwrap();
     Pipeline::of_scene::<2>(&physics).run(&mut engine, physics).unwrap();
@@ -76,7 +77,7 @@ fn reversed_pairs_are_counted() {
 #[test]
 fn no_reconstruction_reverses_nothing() {
     let set = Recipe::unequal::<2>(96).particles::<2>(true);
-    let physics = Sod { dissipation: Dissipation::AvB, ..Sod::standard(2) }.physics();
+    let physics = Physics { viscosity: Viscosity::of(Dissipation::AvB), ..Sod::standard(2).physics() };
     let mut engine = PlainEngine::<f64, 2>::new(&set);
     engine.find_neighbours(2.0).unwrap();
     Pipeline::of_scene::<2>(&physics).run(&mut engine, physics).unwrap();

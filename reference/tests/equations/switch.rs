@@ -136,7 +136,7 @@ fn single_precision_survives_small_units() {
 }
 
 fn physics<const D: usize>(dissipation: Dissipation) -> Physics {
-    Sod { dissipation, ..Sod::standard(D) }.physics()
+    Physics { viscosity: Viscosity::of(dissipation), ..Sod::standard(D).physics() }
 }
 
 /// The sweep, given a divergence that is linear in the position: its gradient must come back, whatever the cloud.
@@ -248,7 +248,7 @@ fn a_step_decays_with_the_signal() {
 #[test]
 fn coefficient_follows_the_shock() {
     for dissipation in [Dissipation::AvSw, Dissipation::AvSwSlr] {
-        let scene = Sod { dissipation, particles: 300, ..Sod::standard(1) };
+        let scene = Sod::standard(1).with(|m| (m.viscosity, m.particles) = (Viscosity::of(dissipation), 300));
         let set = scene.particles::<1>(|_| unreachable!("the tube starts on a lattice")).unwrap();
         let domain = *set.domain();
         let mut simulation = Simulation::new(PlainEngine::<f64, 1>::new(&set), scene.physics()).unwrap();

@@ -67,7 +67,7 @@ fn wave(physics: &Physics) -> ParticleSet<1> {
 fn a_smooth_wave_is_integrated_to_second_order() {
     for &dissipation in Dissipation::ALL {
         for &grad_h in GradH::ALL {
-            let physics = Sod { dissipation, grad_h, ..Sod::standard(1) }.physics();
+            let physics = Physics { viscosity: Viscosity::of(dissipation), grad_h, ..Sod::standard(1).physics() };
             let what = format!("{dissipation}, {grad_h}");
             assert_second_order(&what, orders(&wave(&physics), physics, 0.15, 50, 0.0));
         }
@@ -87,7 +87,7 @@ fn neither_kinks_nor_uneven_steps_lower_the_order() {
 /// The tube's start is sharp in space, not in time. A smoothing length that does not settle at the contact shows here as first order.
 #[test]
 fn the_shock_tube_is_integrated_to_second_order() {
-    let scene = Sod { particles: 60, ..Sod::standard(1) };
+    let scene = Sod::standard(1).with(|m| m.particles = 60);
     let set = scene.particles::<1>(|_| Ok(Vec::new())).unwrap();
     assert_second_order("shock tube", orders(&set, scene.physics(), 0.1, 400, 0.0));
 }

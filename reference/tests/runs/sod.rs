@@ -8,7 +8,7 @@ use etalon_reference::simulation::Simulation;
 
 /// `L_1` of the velocity at the end (GS25 20), against the exact solution of the sharp start.
 fn error(particles: usize, smoothed: bool) -> f64 {
-    let scene = Sod { particles, smoothed, ..Sod::standard(1) };
+    let scene = Sod { smoothed, ..Sod::standard(1).with(|m| m.particles = particles) };
     let set = scene.particles::<1>(|_| Ok(Vec::new())).unwrap();
     let mut simulation = Simulation::new(PlainEngine::<f64, 1>::new(&set), scene.physics()).unwrap();
     simulation.run(END_TIME, |_| {}).unwrap();

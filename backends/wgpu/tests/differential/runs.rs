@@ -6,7 +6,7 @@ use etalon_reference::equations::reconstruction::smoothing_length_holding;
 use etalon_reference::particles::{Particle, ParticleSet};
 use etalon_reference::passes::Physics;
 use etalon_reference::scenes::sod::Sod;
-use etalon_reference::schemes::Dissipation;
+use etalon_reference::schemes::{Dissipation, Viscosity};
 
 use crate::adapter::device;
 use crate::random::Random;
@@ -23,7 +23,7 @@ fn follow<const D: usize>(name: &str, set: &ParticleSet<D>, physics: Physics, un
 
 #[test]
 fn the_shock_tube_in_one_dimension() {
-    let scene = Sod { particles: 200, ..Sod::standard(1) };
+    let scene = Sod::standard(1).with(|m| m.particles = 200);
     let set = scene.particles::<1>(|_| Ok(Vec::new())).unwrap();
     // The end of the standard problem: shock, contact and rarefaction stand apart.
     follow("1-D shock tube", &set, scene.physics(), 0.2);
@@ -31,7 +31,7 @@ fn the_shock_tube_in_one_dimension() {
 
 #[test]
 fn the_shock_tube_in_two_dimensions() {
-    let scene = Sod { particles: 3000, dissipation: Dissipation::AvSlrB2F, ..Sod::standard(2) };
+    let scene = Sod::standard(2).with(|m| (m.particles, m.viscosity) = (3000, Viscosity::of(Dissipation::AvSlrB2F)));
     let set = scene.particles::<2>(|_| Ok(Vec::new())).unwrap();
     follow("2-D shock tube", &set, scene.physics(), 0.01);
 }

@@ -6,12 +6,12 @@ use etalon_reference::particles::ParticleSet;
 use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
 use etalon_reference::scenes::sod::Sod;
-use etalon_reference::schemes::Dissipation;
+use etalon_reference::schemes::{Dissipation, Viscosity};
 use etalon_wgpu::{Device, WgpuEngine};
 
 /// The paper's physics with a scheme.
 pub fn physics<const D: usize>(dissipation: Dissipation) -> Physics {
-    Sod { dissipation, ..Sod::standard(D) }.physics()
+    Physics { viscosity: Viscosity::of(dissipation), ..Sod::standard(D).physics() }
 }
 
 /// All that a particle carries under this physics.

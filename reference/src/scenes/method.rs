@@ -1,0 +1,131 @@
+//! How a scene is computed: what is a choice of the method and not of the problem.
+
+use super::{Arrangement, SceneError};
+use crate::equations::reconstruction::smoothing_length_holding;
+use crate::passes::Physics;
+use crate::schemes::{Dissipation, GradH, Kernel, Viscosity};
+
+/// The choices that every scene has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Method {
+    /// About how many particles; those of fixed layers and walls are not counted.
+    pub particles: usize,
+    /// How they start.
+    pub arrangement: Arrangement,
+    /// The kernel.
+    pub kernel: Kernel,
+    /// The number of neighbours, the particle included.
+    pub neighbours: f64,
+    /// The dissipation scheme and its coefficients, conduction included.
+    pub viscosity: Viscosity,
+    /// The grad-h form.
+    pub grad_h: GradH,
+}
+
+impl Method {
+    /// So many particles on a lattice, all else as in GS25: the mixed kernel, AVSLRB2, about 100 neighbours in three dimensions.
+    pub fn standard(dimension: usize, particles: usize) -> Self {
+        Method {
+            particles,
+            arrangement: Arrangement::Lattice,
+            kernel: Kernel::MixedSinc,
+            neighbours: Self::usual_neighbours(dimension, Kernel::MixedSinc),
+            viscosity: Viscosity::of(Dissipation::AvSlrB2),
+            grad_h: GradH::Corrected,
+        }
+    }
+
+    /// About 100 neighbours in 3-D (GS25), and the same support in spacings in the other dimensions; more for a kernel that reaches farther, so that the
+    /// smoothing length is the same.
+    pub fn usual_neighbours(dimension: usize, kernel: Kernel) -> f64 {
+        let wider = (kernel.support() / Kernel::MixedSinc.support()).powi(dimension as i32);
+        [5.8, 26.0, 100.0][dimension - 1] * wider
+    }
+
+    /// The physics of all passes for an ideal gas of this adiabatic index.
+    pub fn physics(&self, gamma: f64) -> Physics {
+        Physics {
+            kernel: self.kernel,
+            grad_h: self.grad_h,
+            viscosity: self.viscosity,
+            gamma_minus_one: gamma - 1.0,
+            neighbours: self.neighbours,
+            ..Physics::STANDARD
+        }
+    }
+
+    /// The smoothing length of particles that each fill so much volume.
+    pub fn smoothing_length(&self, dimension: usize, volume: f64) -> f64 {
+        smoothing_length_holding(self.neighbours, volume, dimension, self.kernel.support())
+    }
+
+    /// The radius of their supports.
+    pub fn reach(&self, dimension: usize, volume: f64) -> f64 {
+        self.kernel.support() * self.smoothing_length(dimension, volume)
+    }
+
+    /// Refuses a neighbour number that no kernel can use, and coefficients that are none.
+    pub fn check(&self, dimension: usize) -> Result<(), SceneError> {
+        let (least, most) = [(4.0, 40.0), (10.0, 150.0), (30.0, 600.0)][dimension - 1];
+        if !(least..=most).contains(&self.neighbours) {
+            return Err(SceneError::Neighbours { given: self.neighbours, dimension, least, most });
+        }
+        let Viscosity { alpha, alpha_min, beta, q_fold, floor, wave_period, conduction, .. } = self.viscosity;
+        for (name, value, least) in [
+            ("alpha", alpha, 0.0),
+            ("alpha_min", alpha_min, 0.0),
+            ("beta", beta, 0.0),
+            ("floor", floor, 0.0),
+            ("conduction", conduction, 0.0),
+            ("q_fold", q_fold, LEAST_SCALE),
+            ("wave_period", wave_period, LEAST_SCALE),
+        ] {
+            if !(least..=MOST_COEFFICIENT).contains(&value) {
+                return Err(SceneError::Choice {
+                    name,
+                    given: value.to_string(),
+                    rule: format!("give a number from {least} to {MOST_COEFFICIENT}"),
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Coefficients of order one are meant; ten times as much is no flow to compare anything in.
+const MOST_COEFFICIENT: f64 = 10.0;
+/// What is divided by must not be zero; a thousandth of what scenes take is none any more.
+const LEAST_SCALE: f64 = 1e-5;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wider_kernel_has_the_same_smoothing_length() {
+        for dimension in 1..=3 {
+            let h = |kernel| {
+                let neighbours = Method::usual_neighbours(dimension, kernel);
+                Method { kernel, neighbours, ..Method::standard(dimension, 100) }.smoothing_length(dimension, 1e-3)
+            };
+            let (usual, wide) = (h(Kernel::MixedSinc), h(Kernel::QuinticSpline));
+            // A power and a root, a few roundings each.
+            assert!((wide / usual - 1.0).abs() < 1e-14, "{dimension}-D: {usual} and {wide}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_coefficient_is_refused_by_name() {
+        let bad = |change: fn(&mut Method)| {
+            let mut method = Method::standard(2, 100);
+            change(&mut method);
+            method.check(2).unwrap_err().to_string()
+        };
+        assert!(Method::standard(2, 100).check(2).is_ok());
+        assert!(bad(|m| m.neighbours = 3.0).contains("--neighbours 3"));
+        assert!(bad(|m| m.neighbours = f64::NAN).contains("--neighbours NaN"));
+        assert!(bad(|m| m.viscosity.conduction = -1.0).contains("conduction"));
+        assert!(bad(|m| m.viscosity.alpha = f64::INFINITY).contains("alpha"));
+        assert!(bad(|m| m.viscosity.q_fold = 0.0).contains("q_fold"));
+    }
+}
