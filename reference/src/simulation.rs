@@ -106,10 +106,22 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
 
     /// Steps until `until`, telling `progress` the time after each.
     pub fn run(&mut self, until: f64, mut progress: impl FnMut(f64)) -> Result<(), EngineError> {
+        self.run_watched(until, |simulation| -> Result<(), EngineError> {
+            progress(simulation.time);
+            Ok(())
+        })
+    }
+
+    /// Steps until `until`, showing itself to `watch` after each; what it reads changes nothing.
+    pub fn run_watched<W: From<EngineError>>(
+        &mut self,
+        until: f64,
+        mut watch: impl FnMut(&mut Self) -> Result<(), W>,
+    ) -> Result<(), W> {
         while self.time < until {
             self.refuse_steps_up_to(SHORTEST_STEP * until)?;
             self.step(until)?;
-            progress(self.time);
+            watch(self)?;
         }
         Ok(())
     }

@@ -1,8 +1,8 @@
 //! The command line, as typed.
 
-use super::choices::{Backend, Precision, SceneName, Start, Target};
+use super::choices::{Backend, Cost, Precision, Target};
 use clap::{Args, Parser, Subcommand};
-use etalon_reference::scenes::sod::END_TIME;
+use etalon_reference::scenes::{Arrangement, Name};
 use etalon_reference::schemes::{Dissipation, GradH, Kernel};
 use std::path::PathBuf;
 
@@ -10,6 +10,7 @@ const EXAMPLES: &str = "\
 Examples:
   etalon run sod                          3-D, a minute or two on 2 cores; report in etalon-out/sod-3d
   etalon run sod --dim 1 --n 1000         1-D, a second
+  etalon scenes sod > my-scene.toml       a scene as a file, to change and to run: etalon run my-scene.toml
   etalon run sod --backend simd --precision f32 --alone --n 1e6
   etalon explain sod --scheme AV          passes, fields, memory and work of a step
   etalon emit sod --target wgsl --out DIR  its kernels as text, to read or to port
@@ -34,12 +35,8 @@ pub struct Arguments {
 pub enum Command {
     /// Run a scene on every backend, compare them with each other and with the exact solution, and write a report
     Run(RunArguments),
-    /// List the scenes and the names that options take
-    Scenes {
-        /// Print JSON
-        #[arg(long)]
-        json: bool,
-    },
+    /// List the scenes and the names that options take, or print one as a file to copy and change
+    Scenes(ScenesArguments),
     /// Show what a scene computes: passes, fields, memory, operations per pair
     Explain(ExplainArguments),
     /// Print the kernels of a scene in another language, to read or to port
@@ -50,51 +47,58 @@ pub enum Command {
     Audit(AuditArguments),
     /// Show all that is known of an equation: paper, reading, code, WGSL, errors, tests
     Show(ShowArguments),
+    /// Run a scene with many settings and show which buys a given error cheapest
+    Pareto(ParetoArguments),
+    /// Run the papers' comparisons and print our numbers beside the published ones, with ranks and a heat map
+    Reproduce(ReproduceArguments),
     /// Write the book's pages of the equations
     Pages(PagesArguments),
 }
 
 /// A scene and its physics.
-#[derive(Clone, Debug, Args)]
+#[derive(Clone, Debug, Default, Args)]
 pub struct SceneArguments {
-    /// The scene: sod
-    pub scene: SceneName,
-    /// Dimensions: 1, 2 or 3
-    #[arg(long, value_name = "D", default_value = "3", value_parser = dimension, allow_negative_numbers = true)]
-    pub dim: usize,
-    /// About how many particles, boundary layers not counted [default: 450 in 1-D, 6000 in 2-D, 14000 in 3-D]
+    /// A scene that `etalon scenes` lists, or a file that describes one (`etalon scenes NAME` prints one to copy)
+    pub scene: String,
+    /// Dimensions: 1, 2 or 3 [default: the scene's]
+    #[arg(long, value_name = "D", value_parser = dimension, allow_negative_numbers = true)]
+    pub dim: Option<usize>,
+    /// About how many particles, boundary layers not counted [default: the scene's; for sod 450 in 1-D, 6000 in 2-D, 14000 in 3-D]
     #[arg(long, value_parser = count, allow_negative_numbers = true)]
     pub n: Option<usize>,
-    /// Dissipation scheme: AV, AVSW, AVSLR, AVSWSLR, AVSLRB, AVSLRB2, AVSLRB2F or AVB; `etalon scenes` lists all
-    #[arg(long, value_name = "NAME", default_value = "AVSLRB2")]
-    pub scheme: Dissipation,
-    /// Kernel: sinc49, M4, M6, C2, C4 or C6
-    #[arg(long, value_name = "NAME", default_value = "sinc49")]
-    pub kernel: Kernel,
-    /// Neighbours within a support, the particle included [default: 100 in 3-D, and the same support in other dimensions]
+    /// Dissipation scheme: AV, AVSW, AVSLR, AVSWSLR, AVSLRB, AVSLRB2, AVSLRB2F or AVB; `etalon scenes` lists all [default: the scene's, AVSLRB2]
+    #[arg(long, value_name = "NAME")]
+    pub scheme: Option<Dissipation>,
+    /// Kernel: sinc49, M4, M6, C2, C4 or C6 [default: the scene's, sinc49]
+    #[arg(long, value_name = "NAME")]
+    pub kernel: Option<Kernel>,
+    /// Neighbours within a support, the particle included [default: the scene's; 100 in 3-D, and the same support in other dimensions]
     #[arg(long, value_name = "N", value_parser = number, allow_negative_numbers = true)]
     pub neighbours: Option<f64>,
-    /// The grad-h factor: exact or corrected
-    #[arg(long, value_name = "FORM", default_value = "corrected")]
-    pub grad_h: GradH,
-    /// Artificial conduction of heat with this coefficient [default: none; 0.1 if no number is given]
+    /// The grad-h factor: exact or corrected [default: the scene's, corrected]
+    #[arg(long, value_name = "FORM")]
+    pub grad_h: Option<GradH>,
+    /// Artificial conduction of heat with this coefficient [default: the scene's; 0.1 if no number is given]
     #[arg(long, value_name = "ALPHA", num_args = 0..=1, default_missing_value = "0.1", value_parser = number, allow_negative_numbers = true)]
     pub conduction: Option<f64>,
-    /// How particles start: on a lattice, or relaxed to a glass
-    #[arg(long, value_name = "HOW", default_value = "lattice")]
-    pub start: Start,
-    /// Start from the particles in this table of comma-separated values (columns in docs/sod.md) instead of making them
+    /// How particles start: on a lattice, or relaxed to a glass [default: the scene's, lattice]
+    #[arg(long, value_name = "HOW")]
+    pub start: Option<Arrangement>,
+    /// Start the tube from the particles in this table of comma-separated values (columns in docs/sod.md) instead of making them
     #[arg(long, value_name = "CSV", conflicts_with_all = ["n", "start", "smoothed"])]
     pub start_file: Option<PathBuf>,
-    /// Start from a pressure smoothed across the interface (GS25, Eq. 21) instead of a sharp jump
+    /// Start the tube from a pressure smoothed across the interface (GS25, Eq. 21) instead of a sharp jump: --set smoothed=true
     #[arg(long)]
     pub smoothed: bool,
-    /// Adiabatic index [default: 5/3]
+    /// Adiabatic index: --set gamma=GAMMA [default: the scene's]
     #[arg(long, value_parser = number, allow_negative_numbers = true)]
     pub gamma: Option<f64>,
-    /// Simulated time to stop at
-    #[arg(long, value_name = "T", default_value_t = END_TIME, value_parser = number, allow_negative_numbers = true)]
-    pub end_time: f64,
+    /// Set a choice of the scene's own, such as smoothed=true, or of the method, such as method.alpha=0.5; `etalon scenes NAME` lists both
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, toml::Value)>,
+    /// Simulated time to stop at [default: the scene's]
+    #[arg(long, value_name = "T", value_parser = number, allow_negative_numbers = true)]
+    pub end_time: Option<f64>,
     /// One backend only, beside the reference: reference, simd or wgpu [default: all]
     #[arg(long, value_name = "NAME")]
     pub backend: Option<Backend>,
@@ -103,12 +107,29 @@ pub struct SceneArguments {
     pub precision: Option<Precision>,
 }
 
+/// `etalon scenes`.
+#[derive(Clone, Debug, Args)]
+pub struct ScenesArguments {
+    /// Print this scene as a file, all its choices spelled out
+    #[arg(value_name = "NAME")]
+    pub scene: Option<Name>,
+    /// In so many dimensions [default: the scene's usual ones]
+    #[arg(long, value_name = "D", value_parser = dimension, allow_negative_numbers = true, requires = "scene")]
+    pub dim: Option<usize>,
+    /// Print the list as JSON
+    #[arg(long, conflicts_with = "scene")]
+    pub json: bool,
+}
+
 /// `etalon run`.
 #[derive(Clone, Debug, Args)]
 pub struct RunArguments {
     /// What to run.
     #[command(flatten)]
     pub scene: SceneArguments,
+    /// Simulated time between two measurements of what the scene measures while it runs [default: a fiftieth of the whole]
+    #[arg(long, value_name = "T", value_parser = number, allow_negative_numbers = true)]
+    pub observe_every: Option<f64>,
     /// Do not run the reference beside what was chosen
     #[arg(long)]
     pub alone: bool,
@@ -175,6 +196,102 @@ pub struct BenchArguments {
     /// Instructions: avx512, avx2, neon or portable [default: the best there are]
     #[arg(long, value_name = "NAME")]
     pub instructions: Option<String>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `etalon pareto`. Lists are separated by commas.
+#[derive(Clone, Debug, Args)]
+pub struct ParetoArguments {
+    /// A scene that `etalon scenes` lists, or a file that describes one
+    pub scene: String,
+    /// Dimensions: 1, 2 or 3 [default: the scene's]
+    #[arg(long, value_name = "D", value_parser = dimension, allow_negative_numbers = true)]
+    pub dim: Option<usize>,
+    /// Particle numbers [default: the scene's, and as many as are twice and four times as far apart]
+    #[arg(long, value_name = "N,..", value_delimiter = ',', value_parser = count, allow_negative_numbers = true)]
+    pub n: Vec<usize>,
+    /// Dissipation schemes [default: AV,AVSLR,AVSLRB2]
+    #[arg(long, value_name = "NAME,..", value_delimiter = ',')]
+    pub scheme: Vec<Dissipation>,
+    /// Kernels [default: the scene's]
+    #[arg(long, value_name = "NAME,..", value_delimiter = ',')]
+    pub kernel: Vec<Kernel>,
+    /// Neighbours within a support [default: the scene's]
+    #[arg(long, value_name = "N,..", value_delimiter = ',', value_parser = number, allow_negative_numbers = true)]
+    pub neighbours: Vec<f64>,
+    /// Precisions [default: f32,f64]
+    #[arg(long, value_name = "NAME,..", value_delimiter = ',')]
+    pub precision: Vec<Precision>,
+    /// Backends [default: simd]
+    #[arg(long, value_name = "NAME,..", value_delimiter = ',')]
+    pub backend: Vec<Backend>,
+    /// How particles start [default: the scene's]
+    #[arg(long, value_name = "HOW")]
+    pub start: Option<Arrangement>,
+    /// Set a choice of the scene's own or of the method, as for `etalon run`
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, toml::Value)>,
+    /// Simulated time to stop at [default: the scene's]
+    #[arg(long, value_name = "T", value_parser = number, allow_negative_numbers = true)]
+    pub end_time: Option<f64>,
+    /// What is paid: seconds of wall clock, operations, or bytes of memory
+    #[arg(long, value_name = "NAME", default_value = "seconds")]
+    pub cost: Cost,
+    /// The error: a field against the exact solution, or what the scene measures, at the end [default: the velocity]
+    #[arg(long, value_name = "NAME")]
+    pub error: Option<String>,
+    /// Begin no new run after so many minutes; the same command goes on later
+    #[arg(long, value_name = "MINUTES", value_parser = number, allow_negative_numbers = true)]
+    pub minutes: Option<f64>,
+    /// Threads of the simd backend [default: all]
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
+    pub threads: Option<usize>,
+    /// Graphics adapter, by a part of its name [default: hardware before software]
+    #[arg(long, value_name = "NAME")]
+    pub adapter: Option<String>,
+    /// Folder of the results; what is done already is found there [default: etalon-out/pareto-SCENE-Dd]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `etalon reproduce`.
+#[derive(Clone, Debug, Args)]
+pub struct ReproduceArguments {
+    /// Scenes [default: all with published numbers]
+    #[arg(value_name = "SCENE")]
+    pub scenes: Vec<Name>,
+    /// The papers' dimensions and particle numbers (hours to days); the same command goes on after an interruption
+    #[arg(long, conflicts_with_all = ["dim", "size"])]
+    pub paper_resolution: bool,
+    /// Dimensions: 1, 2 or 3 [default: the least the scene has a plane flow in]
+    #[arg(long, value_name = "D", value_parser = dimension, allow_negative_numbers = true)]
+    pub dim: Option<usize>,
+    /// Particle numbers in units of each scene's usual one
+    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = number, allow_negative_numbers = true)]
+    pub size: f64,
+    /// What runs them
+    #[arg(long, value_name = "NAME", default_value = "simd")]
+    pub backend: Backend,
+    /// In which precision
+    #[arg(long, value_name = "NAME", default_value = "f32")]
+    pub precision: Precision,
+    /// Begin no new run after so many minutes; the same command goes on later [default: 15, none with --paper-resolution]
+    #[arg(long, value_name = "MINUTES", value_parser = number, allow_negative_numbers = true)]
+    pub minutes: Option<f64>,
+    /// Threads of the simd backend [default: all]
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
+    pub threads: Option<usize>,
+    /// Graphics adapter, by a part of its name [default: hardware before software]
+    #[arg(long, value_name = "NAME")]
+    pub adapter: Option<String>,
+    /// Folder of the results; what is done already is found there [default: etalon-out/reproduce]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -247,6 +364,15 @@ fn number(text: &str) -> Result<f64, String> {
         Ok(value) if value.is_finite() => Ok(value),
         _ => Err("it must be a finite number, such as 0.2".into()),
     }
+}
+
+/// A key and its value as TOML has it; what is no TOML is a word, so that quotes may be left out.
+fn setting(text: &str) -> Result<(String, toml::Value), String> {
+    let Some((key, value)) = text.split_once('=').map(|(key, value)| (key.trim(), value.trim())) else {
+        return Err("give a key and a value, such as smoothed=true".into());
+    };
+    let parsed = format!("value = {value}").parse::<toml::Table>().ok().and_then(|mut table| table.remove("value"));
+    Ok((key.to_string(), parsed.unwrap_or_else(|| toml::Value::String(value.to_string()))))
 }
 
 fn dimension(text: &str) -> Result<usize, String> {

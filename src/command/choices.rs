@@ -1,17 +1,9 @@
-//! The names users choose from that are not physics: scene, start, backend, precision.
+//! The names users choose from that are not physics: backend, target, precision.
 
+use super::sweep::Record;
 use etalon_kernels_gen::bounded::Roundoff;
 use etalon_kernels_gen::trace::{Double, Single};
 use etalon_reference::choice;
-use etalon_reference::scenes::Arrangement;
-
-choice! {
-    /// A problem that can be run.
-    SceneName, "scene" {
-        /// Sod's shock tube.
-        Sod = "sod",
-    }
-}
 
 choice! {
     /// What runs a scene.
@@ -46,21 +38,32 @@ choice! {
 }
 
 choice! {
-    /// How particles are laid out at the start.
-    Start, "start" {
-        /// On a lattice.
-        Lattice = "lattice",
-        /// As a relaxed glass.
-        Glass = "glass",
+    /// What a run costs.
+    Cost, "cost" {
+        /// Wall-clock time of all steps.
+        Seconds = "seconds",
+        /// Floating-point operations, counted from the graph.
+        Operations = "operations",
+        /// Memory of all particles.
+        Bytes = "bytes",
     }
 }
 
-impl Start {
-    /// As scenes know it.
-    pub fn arrangement(self) -> Arrangement {
+impl Cost {
+    /// With its unit, for a plot.
+    pub fn label(self) -> &'static str {
         match self {
-            Start::Lattice => Arrangement::Lattice,
-            Start::Glass => Arrangement::Glass,
+            Cost::Seconds => "wall-clock time of all steps [s]",
+            Cost::Operations => "floating-point operations of all steps",
+            Cost::Bytes => "memory of all particles [B]",
+        }
+    }
+    /// What a run cost.
+    pub fn of(self, record: &Record) -> f64 {
+        match self {
+            Cost::Seconds => record.wall_seconds,
+            Cost::Operations => record.operations,
+            Cost::Bytes => record.bytes_per_particle * record.particles as f64,
         }
     }
 }

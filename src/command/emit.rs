@@ -23,10 +23,11 @@ struct Text {
 
 /// The texts, one after the other, or the names of the files they went to.
 pub fn emit(arguments: &EmitArguments) -> Result<String, Failure> {
-    let texts = match arguments.scene.dim {
-        1 => texts::<1>(arguments),
-        2 => texts::<2>(arguments),
-        _ => texts::<3>(arguments),
+    let setup = Setup::new(&arguments.scene)?;
+    let texts = match setup.dimension {
+        1 => texts::<1>(arguments, &setup),
+        2 => texts::<2>(arguments, &setup),
+        _ => texts::<3>(arguments, &setup),
     }?;
     let names: Vec<&str> = texts.iter().map(|text| text.name).collect();
     if let Some(wanted) = arguments.pass.as_deref().filter(|wanted| !names.contains(wanted)) {
@@ -59,8 +60,7 @@ pub fn emit(arguments: &EmitArguments) -> Result<String, Failure> {
     Ok(written)
 }
 
-fn texts<const D: usize>(arguments: &EmitArguments) -> Result<Vec<Text>, Failure> {
-    let setup = Setup::new(&arguments.scene)?;
+fn texts<const D: usize>(arguments: &EmitArguments, setup: &Setup) -> Result<Vec<Text>, Failure> {
     let precision = match (arguments.target, arguments.scene.precision) {
         (Target::Wgsl, Some(Precision::Double)) => {
             return Err(Failure::BadInput(
@@ -69,7 +69,7 @@ fn texts<const D: usize>(arguments: &EmitArguments) -> Result<Vec<Text>, Failure
         }
         (_, precision) => precision.unwrap_or(Precision::Single),
     };
-    let physics = setup.sod.physics();
+    let physics = setup.physics();
     let pipeline = Pipeline::of_scene::<D>(&physics);
     let command = format!("etalon emit {} --target {} --precision {precision}", setup.options(), arguments.target);
     let mut printer = Printer {

@@ -2,7 +2,7 @@
 
 use crate::report::ReportError;
 use etalon_reference::engine::EngineError;
-use etalon_reference::scenes::sod::SodError;
+use etalon_reference::scenes::SceneError;
 use std::process::ExitCode;
 
 /// One sentence for stderr, and the exit code that goes with it.
@@ -26,10 +26,10 @@ impl Failure {
     }
 }
 
-impl From<SodError> for Failure {
-    fn from(error: SodError) -> Self {
+impl From<SceneError> for Failure {
+    fn from(error: SceneError) -> Self {
         match error {
-            SodError::Glass(_) => Failure::Broken(error.to_string()),
+            SceneError::Glass(_) => Failure::Broken(error.to_string()),
             _ => Failure::BadInput(error.to_string()),
         }
     }

@@ -13,10 +13,12 @@ mod machine;
 mod memory;
 mod pages;
 mod run;
+mod scene_file;
 mod scenes;
 mod setup;
 mod show;
 mod start_file;
+mod sweep;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
@@ -38,13 +40,15 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     let done = match arguments.command {
         Command::Run(arguments) => run::run(&arguments),
-        Command::Scenes { json } => scenes::scenes(json).map(Done::passed),
+        Command::Scenes(arguments) => scenes::scenes(&arguments).map(Done::passed),
         Command::Explain(arguments) => explain::explain(&arguments).map(Done::passed),
         Command::Emit(arguments) => emit::emit(&arguments).map(Done::passed),
         Command::Bench(arguments) => bench::bench(&arguments).map(Done::passed),
         Command::Audit(arguments) => audit::audit(&arguments),
         Command::Show(arguments) => show::show(&arguments).map(Done::passed),
         Command::Pages(arguments) => pages::pages(&arguments),
+        Command::Pareto(_) => Err(Failure::Broken(String::new())),
+        Command::Reproduce(_) => Err(Failure::Broken(String::new())),
     };
     finished(done)
 }

@@ -1,67 +1,97 @@
-//! `etalon scenes`: what there is to choose from.
+//! `etalon scenes`: what can be run, and the names that options take; or one scene as a file.
 
-use super::choices::{Backend, Precision, SceneName, Start};
+use super::arguments::ScenesArguments;
+use super::choices::{Backend, Precision};
 use super::failure::Failure;
-use etalon_reference::scenes::sod::{self, Sod};
+use super::scene_file;
+use etalon_reference::scenes::{Arrangement, Name, Problem};
 use etalon_reference::schemes::{Dissipation, GradH, Kernel};
 use serde_json::json;
 
-/// The scenes and the names that options take, for people or as JSON.
-pub fn scenes(as_json: bool) -> Result<String, Failure> {
-    let defaults: Vec<Sod> = (1..=3).map(Sod::standard).collect();
-    let schemes: Vec<&str> = Dissipation::ALL.iter().filter(|s| !s.knows_waves()).map(|s| s.name()).collect();
-    let kernels: Vec<&str> = Kernel::ALL.iter().map(|k| k.name()).collect();
-    let grad_h: Vec<&str> = GradH::ALL.iter().map(|g| g.name()).collect();
-    let backends: Vec<&str> = Backend::ALL.iter().map(|b| b.name()).collect();
-    let precisions: Vec<&str> = Precision::ALL.iter().map(|p| p.name()).collect();
-    let starts: Vec<&str> = Start::ALL.iter().map(|s| s.name()).collect();
-    if as_json {
-        let scenes: Vec<_> = SceneName::ALL
-            .iter()
-            .map(|scene| match scene {
-                SceneName::Sod => json!({
-                    "name": scene.name(),
-                    "title": "Sod shock tube",
-                    "source": "GS25, section 3.1",
-                    "dimensions": [1, 2, 3],
-                    "default_particles": defaults.iter().map(|s| s.particles).collect::<Vec<_>>(),
-                    "default_neighbours": defaults.iter().map(|s| s.neighbours).collect::<Vec<_>>(),
-                    "default_end_time": sod::END_TIME,
-                    "exact_solution": "Riemann problem",
-                }),
-            })
-            .collect();
-        return super::to_text(&json!({
-            "schema": "etalon-scenes",
-            "schema_version": 1,
-            "scenes": scenes,
-            "schemes": schemes,
-            "kernels": kernels,
-            "grad_h": grad_h,
-            "starts": starts,
-            "backends": backends,
-            "precisions": precisions,
+/// The list for people or as JSON, or the file.
+pub fn scenes(arguments: &ScenesArguments) -> Result<String, Failure> {
+    match arguments.scene {
+        Some(name) => file(name, arguments.dim),
+        None if arguments.json => as_json(),
+        None => text(),
+    }
+}
+
+/// A scene with everything spelled out.
+fn file(name: Name, dimension: Option<usize>) -> Result<String, Failure> {
+    let dimension = dimension.unwrap_or(name.dimensions()[0]);
+    let problem = name.standard(dimension)?;
+    scene_file::text(&problem, dimension, problem.end_time())
+        .map_err(|error| Failure::Broken(format!("the scene has no TOML form: {error}")))
+}
+
+/// The usual choices in each dimension.
+fn standards(name: Name) -> Result<Vec<Problem>, Failure> {
+    name.dimensions().iter().map(|&dimension| Ok(name.standard(dimension)?)).collect()
+}
+
+fn names<T: std::fmt::Display>(all: &[T]) -> Vec<String> {
+    all.iter().map(ToString::to_string).collect()
+}
+
+fn as_json() -> Result<String, Failure> {
+    let mut scenes = Vec::new();
+    for &name in Name::ALL {
+        let standards = standards(name)?;
+        scenes.push(json!({
+            "name": name.name(),
+            "title": name.title(),
+            "source": name.source(),
+            "dimensions": name.dimensions(),
+            "default_particles": standards.iter().map(|p| p.method().particles).collect::<Vec<_>>(),
+            "default_neighbours": standards.iter().map(|p| p.method().neighbours).collect::<Vec<_>>(),
+            "default_end_time": standards[0].end_time(),
+            "exact_solution": name.solution(),
         }));
     }
-    let list = |of: &dyn Fn(&Sod) -> String| defaults.iter().map(of).collect::<Vec<_>>().join(", ");
-    Ok(format!(
-        "sod  Sod shock tube in 1, 2 or 3 dimensions (GS25, section 3.1), against the exact Riemann solution\n\
-         \x20    particles {}; neighbours {}; to t = {}\n\
-         \n\
-         --scheme      {}\n\
-         --kernel      {}\n\
-         --grad-h      {}\n\
-         --start       {}\n\
-         --backend     {}\n\
-         --precision   {}\n",
-        list(&|s| s.particles.to_string()),
-        list(&|s| s.neighbours.to_string()),
-        sod::END_TIME,
-        schemes.join(", "),
-        kernels.join(", "),
-        grad_h.join(", "),
-        starts.join(", "),
-        backends.join(", "),
-        precisions.join(", "),
-    ))
+    super::to_text(&json!({
+        "schema": "etalon-scenes",
+        "schema_version": 1,
+        "scenes": scenes,
+        "schemes": names(Dissipation::ALL),
+        "kernels": names(Kernel::ALL),
+        "grad_h": names(GradH::ALL),
+        "starts": names(Arrangement::ALL),
+        "backends": names(Backend::ALL),
+        "precisions": names(Precision::ALL),
+    }))
+}
+
+fn text() -> Result<String, Failure> {
+    let widest = Name::ALL.iter().map(|name| name.name().len()).max().unwrap_or(0);
+    let mut out = String::new();
+    for &name in Name::ALL {
+        let standards = standards(name)?;
+        let list = |of: &dyn Fn(&Problem) -> String| standards.iter().map(of).collect::<Vec<_>>().join(", ");
+        let dimensions: Vec<String> = name.dimensions().iter().map(|d| format!("{d}-D")).collect();
+        out += &format!(
+            "{name:<widest$}  {} in {} ({}); compared with: {}\n{:widest$}  particles {}; neighbours {}; to t = {}\n",
+            name.title(),
+            dimensions.join(", "),
+            name.source(),
+            name.solution(),
+            "",
+            list(&|p| p.method().particles.to_string()),
+            list(&|p| p.method().neighbours.to_string()),
+            standards[0].end_time(),
+        );
+    }
+    let options = [
+        ("scheme", names(Dissipation::ALL)),
+        ("kernel", names(Kernel::ALL)),
+        ("grad-h", names(GradH::ALL)),
+        ("start", names(Arrangement::ALL)),
+        ("backend", names(Backend::ALL)),
+        ("precision", names(Precision::ALL)),
+    ];
+    out += "\n`etalon scenes NAME` prints a scene as a file to copy, change and run.\n\n";
+    for (option, names) in options {
+        out += &format!("--{option:<11} {}\n", names.join(", "));
+    }
+    Ok(out)
 }

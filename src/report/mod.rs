@@ -39,7 +39,7 @@ pub use model::Report;
 pub use number::{plain, typeset};
 pub use particles::{Column, Particles, write_csv};
 pub use plot::{Plot, plots};
-pub use table::summary_table;
+pub use table::{columns, summary_table};
 pub use verdict::{headline, passes};
 pub use vtu::write_vtu;
 pub use write::{check_destination, write};

@@ -5,9 +5,11 @@
 
 mod measured;
 mod profile;
+mod series;
 
 pub use measured::{Conserved, FieldDifference, FieldError, Measurements, Norm, Outcome, Run, Speed, Stage, Tolerance};
 pub use profile::{Curve, CurveField, Profile, ProfileField, stratified};
+pub use series::{Series, SeriesQuantity};
 
 use serde::{Deserialize, Serialize};
 
@@ -80,7 +82,7 @@ pub struct Scene {
     pub end_time: f64,
     /// Particle arrangement at the start: `lattice`, `glass` or `file`.
     pub arrangement: String,
-    /// How the discontinuity starts: `sharp`, or `smoothed` with its width.
+    /// What is special about the start: for a jump `sharp`, or how it is smoothed.
     pub discontinuity: String,
     /// What happens at each boundary, in words.
     pub boundaries: String,

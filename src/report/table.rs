@@ -86,6 +86,23 @@ fn align(rows: &[Row]) -> String {
     out
 }
 
+/// Rows of cells as aligned lines, the first row a heading: columns of numbers to the right, words to the left. Lines end in `\n`.
+pub fn columns<const N: usize>(rows: &[[String; N]]) -> String {
+    let width: [usize; N] = std::array::from_fn(|k| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0));
+    let is_number = |cell: &str| cell.is_empty() || cell == "-" || cell.parse::<f64>().is_ok();
+    let numbers: [bool; N] = std::array::from_fn(|k| rows.iter().skip(1).all(|row| is_number(&row[k])));
+    let mut out = String::new();
+    for row in rows {
+        let cells: [String; N] = std::array::from_fn(|k| match (numbers[k], width[k], &row[k]) {
+            (true, width, cell) => format!("{cell:>width$}"),
+            (false, width, cell) => format!("{cell:<width$}"),
+        });
+        out.push_str(cells.join("  ").trim_end());
+        out.push('\n');
+    }
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::model::{FieldDifference, Norm, Tolerance};
@@ -112,5 +129,12 @@ mod tests {
         measured.arithmetic_difference[0] = FieldDifference::new("density", 1e-14, 1e-14, 1.0, Norm::Rms, strict);
         let table = summary_table(&report);
         assert!(table.contains("1.00e-14 > 1.00e-15 FAIL (density)"), "{table}");
+    }
+
+    #[test]
+    fn numbers_stand_to_the_right_and_words_to_the_left() {
+        let cells = |row: [&str; 3]| row.map(String::from);
+        let text = columns(&[cells(["scheme", "L1", "on"]), cells(["AV", "1.50e-3", "*"]), cells(["AVSLR", "-", ""])]);
+        assert_eq!(text, "scheme       L1  on\nAV      1.50e-3  *\nAVSLR         -\n");
     }
 }

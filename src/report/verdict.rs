@@ -135,7 +135,7 @@ fn speed(report: &Report) -> Option<String> {
 
 /// The field that stands for the others where there is room for one: the velocity, as in the papers' tables.
 pub(super) fn key_field(report: &Report) -> Option<&super::model::Field> {
-    report.field("velocity_x").or(report.fields.first())
+    report.fields.iter().find(|field| field.name.starts_with("velocity")).or(report.fields.first())
 }
 
 /// The key field's error of a run against the exact solution.

@@ -15,6 +15,8 @@ pub trait Definition: Clone + Serialize + DeserializeOwned + Send + Sync {
     const DIMENSIONS: &'static [usize];
     /// What a run is compared with.
     const SOLUTION: &'static str;
+    /// Whether a driver of known period makes waves in it.
+    const DRIVES_WAVES: bool = false;
     /// The paper's choices in one of these dimensions, at a size that the scalar reference runs in a minute or two.
     fn standard(dimension: usize) -> Self;
     /// When the paper looks.
@@ -23,10 +25,6 @@ pub trait Definition: Clone + Serialize + DeserializeOwned + Send + Sync {
     fn method(&self) -> &Method;
     /// The same, to be changed.
     fn method_mut(&mut self) -> &mut Method;
-    /// The adiabatic index, to be changed; none where it is no choice.
-    fn gamma_mut(&mut self) -> Option<&mut f64> {
-        None
-    }
 }
 
 macro_rules! problems {
@@ -57,6 +55,10 @@ macro_rules! problems {
             pub fn solution(self) -> &'static str {
                 match self { $(Name::$variant => <$type as Definition>::SOLUTION),* }
             }
+            /// Whether a driver of known period makes waves in it.
+            pub fn drives_waves(self) -> bool {
+                match self { $(Name::$variant => <$type as Definition>::DRIVES_WAVES),* }
+            }
             /// The paper's choices in so many dimensions.
             ///
             /// # Errors
@@ -86,10 +88,6 @@ macro_rules! problems {
             /// The same, to be changed.
             pub fn method_mut(&mut self) -> &mut Method {
                 match self { $(Problem::$variant(problem) => Definition::method_mut(problem)),* }
-            }
-            /// The adiabatic index, to be changed; none where it is no choice.
-            pub fn gamma_mut(&mut self) -> Option<&mut f64> {
-                match self { $(Problem::$variant(problem) => Definition::gamma_mut(problem)),* }
             }
             /// When the paper looks.
             pub fn end_time(&self) -> f64 {

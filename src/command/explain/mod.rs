@@ -10,10 +10,29 @@ use super::memory::Memory;
 use super::run::plan;
 use super::setup::Setup;
 use etalon_kernels_gen::{Field, components};
+use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
-use etalon_reference::scenes::sod::Sod;
+use etalon_reference::scenes::Method;
 use passes::{Stage, stages};
 use serde_json::{Value, json};
+
+/// Operations of one particle in one step with so many neighbours, counted from the graph.
+pub fn work_per_update<const D: usize>(
+    pipeline: &Pipeline,
+    physics: Physics,
+    precision: Precision,
+    neighbours: f64,
+) -> Result<f64, Failure> {
+    let k = match precision {
+        Precision::Single => 0,
+        Precision::Double => 1,
+    };
+    let each = stages::<D>(pipeline, physics)?.into_iter().map(|stage| {
+        let pairs = stage.pair.map_or(0.0, |pair| f64::from(pair[k].flops()) * neighbours);
+        pairs + f64::from(stage.particle[k].flops())
+    });
+    Ok(each.sum())
+}
 
 /// Everything that is shown of a scene.
 struct Explanation {
@@ -27,7 +46,7 @@ struct Explanation {
 pub fn explain(arguments: &ExplainArguments) -> Result<String, Failure> {
     let scene = &arguments.scene;
     let setup = Setup::new(scene)?;
-    let explanation = match scene.dim {
+    let explanation = match setup.dimension {
         1 => Explanation::of::<1>(setup, scene.backend, scene.precision),
         2 => Explanation::of::<2>(setup, scene.backend, scene.precision),
         _ => Explanation::of::<3>(setup, scene.backend, scene.precision),
@@ -41,10 +60,10 @@ impl Explanation {
         backend: Option<Backend>,
         precision: Option<Precision>,
     ) -> Result<Self, Failure> {
-        let physics = setup.sod.physics();
+        let physics = setup.physics();
         let pipeline = Pipeline::of_scene::<D>(&physics);
         let memory = plan::chosen(backend, precision)?.into_iter().map(|(backend, precision)| {
-            (backend, precision, Memory::of::<D>(backend, precision, &pipeline, setup.sod.neighbours))
+            (backend, precision, Memory::of::<D>(backend, precision, &pipeline, setup.method().neighbours))
         });
         let memory = memory.collect();
         Ok(Explanation { setup, stages: stages::<D>(&pipeline, physics)?, fields: pipeline.fields::<D>(), memory })
@@ -60,7 +79,7 @@ impl Explanation {
     }
 
     fn json(&self) -> Value {
-        let Sod { particles, gamma, kernel, neighbours, dissipation, grad_h, .. } = self.setup.sod;
+        let Method { particles, kernel, neighbours, viscosity, grad_h, .. } = *self.setup.method();
         let field = |field: &Field| {
             json!({
                 "name": field.name,
@@ -109,14 +128,14 @@ impl Explanation {
         json!({
             "schema": "etalon-explain",
             "schema_version": 1,
-            "scene": "sod",
+            "scene": self.setup.problem.name().name(),
             "dimension": self.setup.dimension,
             "particles": particles,
             "neighbours": neighbours,
             "kernel": kernel.name(),
-            "scheme": dissipation.name(),
+            "scheme": viscosity.dissipation.name(),
             "grad_h": grad_h.name(),
-            "gamma": gamma,
+            "gamma": self.setup.physics().gamma_minus_one + 1.0,
             "stages": stages,
             "fields": self.fields.iter().map(field).collect::<Vec<_>>(),
             "numbers_per_particle": self.numbers(),

@@ -31,17 +31,18 @@ fn line(out: &mut String, text: &str) {
 
 fn header(out: &mut String, explanation: &Explanation) {
     let setup = &explanation.setup;
-    let sod = &setup.sod;
+    let method = setup.method();
     line(
         out,
         &format!(
-            "Sod shock tube, {}-D: scheme {} ({}), kernel {}, {} neighbours, grad-h {}",
+            "{}, {}-D: scheme {} ({}), kernel {}, {} neighbours, grad-h {}",
+            setup.problem.name().title(),
             setup.dimension,
-            sod.dissipation,
+            method.viscosity.dissipation,
             setup.coefficients(),
-            sod.kernel,
-            sod.neighbours,
-            sod.grad_h
+            method.kernel,
+            method.neighbours,
+            method.grad_h
         ),
     );
     line(out, &format!("Units are those of mass M, length L and time T; nu = {}.", setup.dimension));
@@ -119,7 +120,7 @@ fn columns(text: &str) -> usize {
 
 fn work(out: &mut String, explanation: &Explanation) {
     let [single, double] = explanation.work_per_pair();
-    let neighbours = explanation.setup.sod.neighbours;
+    let neighbours = explanation.setup.method().neighbours;
     let thousands = |flops: u32| plain(f64::from(flops) * neighbours / 1000.0);
     line(
         out,

@@ -14,10 +14,10 @@ use etalon_reference::schemes::Kernel;
 pub fn approximations(setup: &Setup, precisions: &[Precision]) -> Vec<KernelApproximation> {
     let mut all = Vec::new();
     for &precision in precisions {
-        if setup.sod.kernel == Kernel::MixedSinc {
+        if setup.method().kernel == Kernel::MixedSinc {
             all.extend(sinc(setup.dimension, precision));
         }
-        let dissipation = setup.sod.dissipation;
+        let dissipation = setup.method().viscosity.dissipation;
         if dissipation.reconstructs() {
             all.push(exponential("cut-off of the reconstruction exp(−y)", precision));
         }

@@ -1,21 +1,20 @@
 //! The report, from what was asked and what came out.
 
 use super::approximation::approximations;
-use super::exact::Exact;
 use super::graphics::Graphics;
 use super::plan::Plan;
-use super::state::State;
+use super::seen::{VELOCITY, names};
 use crate::command::arguments::RunArguments;
-use crate::command::choices::{Backend, Precision, Start};
+use crate::command::choices::{Backend, Precision};
 use crate::command::failure::Failure;
 use crate::command::machine;
 use crate::command::setup::{Setup, quoted};
 use crate::fma_peak::FmaPeak;
-use crate::report::model::{self, Field, Machine, NormRange, Run, Scene, Setting};
+use crate::report::model::{self, Curve, Field, Machine, NormRange, Run, Scene, Setting};
 use crate::report::{Column, Particles, Report, plain, utc_now};
 use etalon_kernels_gen::lanes::level_name;
 use etalon_reference::equations::time_step::COURANT;
-use etalon_reference::scenes::sod;
+use etalon_reference::scenes::{Description, Measured, State, View};
 use etalon_reference::schemes::Kernel;
 use fearless_simd::Level;
 use std::path::Path;
@@ -30,7 +29,11 @@ pub struct Circumstances<'a> {
     pub level: Level,
     pub peak: FmaPeak,
     pub particles: usize,
-    pub exact: &'a Exact,
+    /// The solution as a line.
+    pub exact: Curve,
+    pub view: View,
+    pub measured: Measured,
+    pub description: Description,
     pub runs: Vec<Run>,
 }
 
@@ -48,8 +51,8 @@ pub fn report(of: &Circumstances) -> Report {
         command: command(of),
         scene: scene(of),
         machine: machine(of),
-        fields: fields(),
-        exact: of.exact.curve(),
+        fields: fields(of.view),
+        exact: of.exact.clone(),
         kernel_approximation: approximations(of.setup, &precisions),
         runs: of.runs.clone(),
     }
@@ -83,16 +86,15 @@ fn command(of: &Circumstances) -> String {
 }
 
 fn scene(of: &Circumstances) -> Scene {
-    let sod = &of.setup.sod;
+    let (problem, method) = (&of.setup.problem, of.setup.method());
     let setting = |name: &str, value: String| Setting { name: name.into(), value };
-    let start = Start::ALL.iter().find(|start| start.arrangement() == sod.arrangement);
-    let mut settings = vec![
-        setting("Density, left and right", format!("{}, {}", sod::DENSITY[0], sod::DENSITY[1])),
-        setting("Pressure, left and right", format!("{}, {}", sod::PRESSURE[0], sod::PRESSURE[1])),
+    let mut settings: Vec<Setting> =
+        of.description.settings.iter().map(|(n, value)| setting(n, value.clone())).collect();
+    settings.extend([
         setting("Dissipation", of.setup.coefficients()),
-        setting("Grad-h factor", sod.grad_h.to_string()),
+        setting("Grad-h factor", method.grad_h.to_string()),
         setting("Time integration", format!("kick, drift, kick; Courant number {} on h/c", plain(0.5 * COURANT))),
-    ];
+    ]);
     if let Some(bytes) = machine::peak_memory() {
         let mut text = format!("{:.0} MiB", bytes as f64 / f64::from(1 << 20));
         // In a smaller run the program itself and the drivers outweigh the particles.
@@ -102,37 +104,30 @@ fn scene(of: &Circumstances) -> Scene {
         settings.push(setting("Peak memory of the program", text));
     }
     Scene {
-        name: "sod".into(),
-        title: "Sod shock tube".into(),
+        name: problem.name().to_string(),
+        title: problem.name().title().into(),
         dimension: of.setup.dimension as u8,
         particles: of.particles as u64,
-        neighbours: sod.neighbours,
-        kernel: kernel(sod.kernel).into(),
-        scheme: sod.dissipation.name().into(),
-        gamma: sod.gamma,
+        neighbours: method.neighbours,
+        kernel: kernel(method.kernel).into(),
+        scheme: method.viscosity.dissipation.name().into(),
+        gamma: of.setup.physics().gamma_minus_one + 1.0,
         end_time: of.setup.end_time,
         arrangement: match &of.setup.start_file {
             Some(_) => "file".into(),
-            None => start.map_or("lattice", |start| start.name()).into(),
+            None => method.arrangement.to_string(),
         },
-        discontinuity: match sod.smoothed {
-            _ if of.setup.start_file.is_some() => "as in the file".into(),
-            true => format!(
-                "pressure smoothed over {} (GS25, Eq. 21), while the exact solution is that of the sharp start",
-                sod::SMOOTHING_WIDTH
-            ),
-            false => "sharp".into(),
+        discontinuity: match &of.setup.start_file {
+            Some(_) => "as in the file".into(),
+            None => of.description.start.clone(),
         },
-        boundaries: match of.setup.dimension {
-            1 => "fixed layers at both ends".into(),
-            _ => "fixed layers at both ends of the tube, periodic across it".into(),
-        },
+        boundaries: of.description.boundaries.clone(),
         norm: NormRange {
-            coordinate: "x".into(),
+            coordinate: of.view.coordinate().into(),
             unit: "L".into(),
-            from: sod::MEASURED.0,
-            to: sod::MEASURED.1,
-            source: "GS25, section 3.1 and Eq. 20".into(),
+            from: of.measured.range.0,
+            to: of.measured.range.1,
+            source: of.measured.source.into(),
         },
         settings,
     }
@@ -166,7 +161,7 @@ fn machine(of: &Circumstances) -> Machine {
     }
 }
 
-fn fields() -> Vec<Field> {
+fn fields(view: View) -> Vec<Field> {
     let field = |name: &str, label: &str, symbol: &str, unit: &str| Field {
         name: name.into(),
         label: label.into(),
@@ -175,7 +170,7 @@ fn fields() -> Vec<Field> {
     };
     vec![
         field("density", "density", "ρ", "ρ₀"),
-        field("velocity_x", "velocity", "vₓ", "√(P₀/ρ₀)"),
+        field(names(view)[VELOCITY], "velocity", view.velocity_symbol(), "√(P₀/ρ₀)"),
         field("pressure", "pressure", "P", "P₀"),
         field("internal_energy", "internal energy", "u", "P₀/ρ₀"),
     ]

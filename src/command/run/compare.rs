@@ -1,51 +1,60 @@
 //! A run against the exact solution, against the reference, and against itself at the start.
 
-use super::exact::Exact;
+use super::seen::{ENERGY, FIELDS, Seen, VELOCITY, columns, names};
 use super::sensitivity::{Sensitivity, rms, scales};
 use super::simulate::Finished;
-use super::state::{COMPARED, State};
 use crate::command::failure::Failure;
 use crate::report::model::{
     Conserved, FieldDifference, FieldError, Norm, Profile, ProfileField, Tolerance, stratified,
 };
 use crate::report::plain;
 use etalon_reference::norms::{NormError, l1_error, l2_error, max_error};
-use etalon_reference::scenes::sod;
+use etalon_reference::scenes::{GivenMomentum, Measured, Solution, View};
 
 /// Particles shown in plots.
 const SHOWN: usize = 1200;
 
-/// First source of error: distance from the exact solution over the particles in the measured range.
-pub fn discretisation(state: &State, exact: &Exact) -> Result<Vec<FieldError>, Failure> {
-    let x = &state.position[0];
-    let truth = exact.columns(x);
-    let (from, to) = sod::MEASURED;
+/// First source of error: distance from the solution over the particles in the measured range that move.
+pub fn discretisation(
+    seen: &Seen,
+    view: View,
+    solution: &dyn Solution,
+    measured: Measured,
+) -> Result<Vec<FieldError>, Failure> {
+    let moving: Vec<usize> = seen.state.moving().collect();
+    let pick = |column: &[f64]| moving.iter().map(|&i| column[i]).collect::<Vec<f64>>();
+    let x = pick(&seen.coordinate);
+    let truth = columns(solution, &x);
+    let (from, to) = measured.range;
     let particles = x.iter().filter(|x| (from..=to).contains(*x)).count() as u64;
+    let names = names(view);
     let error = |k: usize| -> Result<FieldError, NormError> {
-        let (found, truth) = (state.compared()[k], &truth[k]);
+        let found = pick(seen.compared()[k]);
         Ok(FieldError {
-            field: COMPARED[k].into(),
-            l1: l1_error(found, truth, x, sod::MEASURED)?,
-            l2: l2_error(found, truth, x, sod::MEASURED)?,
-            max: max_error(found, truth, x, sod::MEASURED)?,
+            field: names[k].into(),
+            l1: l1_error(&found, &truth[k], &x, measured.range)?,
+            l2: l2_error(&found, &truth[k], &x, measured.range)?,
+            max: max_error(&found, &truth[k], &x, measured.range)?,
             particles,
         })
     };
-    (0..COMPARED.len()).map(|k| error(k).map_err(|e| Failure::Broken(format!("{}: {e}", COMPARED[k])))).collect()
+    (0..FIELDS).map(|k| error(k).map_err(|e| Failure::Broken(format!("{}: {e}", names[k])))).collect()
 }
 
 /// Second source of error: distance from the reference, particle by particle.
 pub fn arithmetic(
     run: &Finished,
     reference: &Finished,
+    view: View,
     sensitivity: &Sensitivity,
 ) -> Result<Vec<FieldDifference>, Failure> {
     let scale = scales(reference);
+    let names = names(view);
     let mut all = Vec::new();
-    for (k, (found, wanted)) in run.state.compared().into_iter().zip(reference.state.compared()).enumerate() {
+    for (k, (found, wanted)) in run.seen.compared().into_iter().zip(reference.seen.compared()).enumerate() {
         let max = found.iter().zip(wanted).fold(0.0, |largest: f64, (a, b)| largest.max((a - b).abs()));
-        let tolerance = sensitivity.tolerance(k);
-        all.push(FieldDifference::new(COMPARED[k], rms(found, wanted)?, max, scale[k], Norm::Rms, tolerance));
+        let tolerance = sensitivity.tolerance(k, names[k]);
+        all.push(FieldDifference::new(names[k], rms(found, wanted)?, max, scale[k], Norm::Rms, tolerance));
     }
     Ok(all)
 }
@@ -70,12 +79,11 @@ impl<'a> Yardstick<'a> {
     /// the mean size of these by no more than its root mean square.
     fn most(&self, dimension: usize) -> [f64; 2] {
         let scale = scales(self.reference);
-        let all = |name: &str| {
-            let k = COMPARED.iter().position(|n| *n == name).unwrap_or(0);
+        let all = |k: usize| {
             // Tolerances are means over all particles, of which the fixed ones do not differ.
-            self.reference.end.mass * self.sensitivity.tolerance(k).value * scale[k] / self.moving.sqrt()
+            self.reference.end.mass * self.sensitivity.tolerance(k, "").value * scale[k] / self.moving.sqrt()
         };
-        [all("velocity_x") * (dimension as f64).sqrt(), all("internal_energy")]
+        [all(VELOCITY) * (dimension as f64).sqrt(), all(ENERGY)]
     }
 
     /// The drift that the reference has in the same units, and `more`.
@@ -93,85 +101,101 @@ impl<'a> Yardstick<'a> {
 
 /// Drift of mass, momentum and energy of the particles that move. It is judged where there is a reference to hold it against: its own drift is
 /// no matter of arithmetic, but of scheme, step and walls.
-pub fn conservation(run: &Finished, dimension: usize, yardstick: Option<Yardstick>) -> Vec<Conserved> {
-    let area = sod::WIDTH.powi(dimension as i32 - 1);
-    let push = (sod::PRESSURE[0] - sod::PRESSURE[1]) * area * run.time;
-    let gained = |run: &Finished| run.end.momentum[0] - run.start.momentum[0];
-    let along = |run: &Finished| (gained(run) - push) / push;
+pub fn conservation(
+    run: &Finished,
+    dimension: usize,
+    given: &GivenMomentum,
+    walls: bool,
+    yardstick: Option<Yardstick>,
+) -> Vec<Conserved> {
     let magnitude = |run: &Finished| run.end.momentum_magnitude.max(f64::MIN_POSITIVE);
-    let across = |run: &Finished| {
-        let drift = |axis: usize| ((run.end.momentum[axis] - run.start.momentum[axis]) / magnitude(run)).abs();
-        (1..dimension).map(drift).fold(0.0, f64::max)
-    };
-    let energy = |run: &Finished| (run.end.energy - run.start.energy) / run.start.energy;
+    let gained = |run: &Finished, axis: usize| run.end.momentum[axis] - run.start.momentum[axis];
+    let energy = |run: &Finished| (run.end.energy - run.start.energy) / run.start.energy.max(f64::MIN_POSITIVE);
     let tolerance = |drift: &dyn Fn(&Finished) -> f64, more: &dyn Fn([f64; 2], &Finished) -> f64| {
         yardstick.map(|y| y.tolerance(drift(y.reference), more(y.most(dimension), y.reference)))
     };
-    let mut all = vec![
-        Conserved {
-            quantity: "mass".into(),
-            scaled_drift: (run.end.mass - run.start.mass) / run.start.mass,
-            tolerance: Some(Tolerance::new(
-                f64::EPSILON,
-                "nothing writes masses: both sums are of the same numbers in the same order",
-            )),
-            note: None,
-        },
-        Conserved {
-            quantity: "momentum along the tube".into(),
-            scaled_drift: along(run),
-            tolerance: tolerance(&along, &|[momentum, _], _| momentum / push),
-            note: Some(format!(
-                "not conserved: the fixed layers push with the pressure of the gas at rest, P_L − P_R = {} on an area of {}; by t = {} that \
-                 gives the moving particles a momentum of {}, and they have {}; the number is the difference in units of the push",
-                plain(sod::PRESSURE[0] - sod::PRESSURE[1]),
-                plain(area),
-                plain(run.time),
-                plain(push),
-                plain(gained(run))
-            )),
-        },
-    ];
-    if dimension > 1 {
+    let mut all = vec![Conserved {
+        quantity: "mass".into(),
+        scaled_drift: (run.end.mass - run.start.mass) / run.start.mass,
+        tolerance: Some(Tolerance::new(
+            f64::EPSILON,
+            "nothing writes masses: both sums are of the same numbers in the same order",
+        )),
+        note: None,
+    }];
+    let pushed = match given {
+        GivenMomentum::Along { axis, .. } => Some(*axis),
+        _ => None,
+    };
+    if let GivenMomentum::Along { axis, momentum, by } = given {
+        let along = |run: &Finished| (gained(run, *axis) - momentum) / momentum.abs();
         all.push(Conserved {
-            quantity: "momentum across the tube".into(),
-            scaled_drift: across(run),
-            tolerance: tolerance(&across, &|[momentum, _], run| momentum / magnitude(run)),
-            note: Some(
-                "among moving particles it is conserved to rounding; the fixed layers at both ends take what they are given".into(),
+            quantity: format!("momentum along {}", AXES[*axis]),
+            scaled_drift: along(run),
+            tolerance: tolerance(&along, &|[more, _], _| more / momentum.abs()),
+            note: Some(format!(
+                "not conserved: {by}; by t = {} that gives the moving particles a momentum of {}, and they have {}; the number is the \
+                 difference in units of what is given",
+                plain(run.time),
+                plain(*momentum),
+                plain(gained(run, *axis))
+            )),
+        });
+    }
+    let others: Vec<usize> = (0..dimension).filter(|axis| pushed != Some(*axis)).collect();
+    if !others.is_empty() {
+        let across =
+            |run: &Finished| others.iter().map(|&a| (gained(run, a) / magnitude(run)).abs()).fold(0.0, f64::max);
+        let names: Vec<&str> = others.iter().map(|&axis| AXES[axis]).collect();
+        let note = match given {
+            GivenMomentum::Unknown(why) => Some(format!("not conserved: {why}")),
+            _ if walls => Some(
+                "among moving particles it is conserved to rounding; the fixed ones take what they are given".into(),
             ),
+            _ => None,
+        };
+        all.push(Conserved {
+            quantity: format!("momentum along {}", names.join(" and ")),
+            scaled_drift: across(run),
+            tolerance: tolerance(&across, &|[more, _], run| more / magnitude(run)),
+            note,
         });
     }
     // A change of the velocities changes the kinetic energy by their own size at most.
-    let fastest = |run: &Finished| scales(run)[1];
+    let fastest = |run: &Finished| scales(run)[VELOCITY];
+    let beside = if walls { ", and fixed particles keep the share of the pairs they take part in" } else { "" };
     all.push(Conserved {
         quantity: "energy".into(),
         scaled_drift: energy(run),
-        tolerance: tolerance(&energy, &|[momentum, heat], run| (momentum * fastest(run) + heat) / run.start.energy),
-        note: Some(
-            "the equations conserve it at every instant; the integrator is of second order in the step, and the fixed layers \
-             keep the share of the pairs they take part in"
-                .into(),
-        ),
+        tolerance: tolerance(&energy, &|[more, heat], run| {
+            (more * fastest(run) + heat) / run.start.energy.max(f64::MIN_POSITIVE)
+        }),
+        note: Some(format!(
+            "kinetic and internal; the equations conserve it at every instant where nothing acts from outside; the integrator is of second order \
+             in the step{beside}"
+        )),
     });
     all
 }
 
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 /// The particles that plots show.
-pub fn profile(state: &State, mobile: &[bool], exact: &Exact, reference: Option<&State>) -> Profile {
-    let moving: Vec<usize> = (0..mobile.len()).filter(|&i| mobile[i]).collect();
-    let all: Vec<f64> = moving.iter().map(|&i| state.position[0][i]).collect();
+pub fn profile(seen: &Seen, view: View, solution: Option<&dyn Solution>, reference: Option<&Seen>) -> Profile {
+    let moving: Vec<usize> = seen.state.moving().collect();
+    let all: Vec<f64> = moving.iter().map(|&i| seen.coordinate[i]).collect();
     let shown: Vec<usize> = stratified(&all, SHOWN).into_iter().map(|k| moving[k]).collect();
     let pick = |column: &[f64]| shown.iter().map(|&i| column[i]).collect::<Vec<f64>>();
-    let x = pick(&state.position[0]);
-    let truth = exact.columns(&x);
-    let field = |(k, truth): (usize, Vec<f64>)| ProfileField {
-        field: COMPARED[k].into(),
-        value: pick(state.compared()[k]),
-        exact: truth,
+    let x = pick(&seen.coordinate);
+    let truth = solution.map(|solution| columns(solution, &x));
+    let names = names(view);
+    let field = |k: usize| ProfileField {
+        field: names[k].into(),
+        value: pick(seen.compared()[k]),
+        exact: truth.as_ref().map_or_else(Vec::new, |truth| truth[k].clone()),
         reference: reference.map_or_else(Vec::new, |reference| pick(reference.compared()[k])),
     };
-    let fields = truth.into_iter().enumerate().map(field).collect();
-    let selection = format!("{} of the {} that move, evenly along the tube", shown.len(), moving.len());
+    let fields = (0..FIELDS).map(field).collect();
+    let selection = format!("{} of the {} that move, evenly along {}", shown.len(), moving.len(), view.coordinate());
     Profile { selection, x, fields }
 }

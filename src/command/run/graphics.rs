@@ -35,7 +35,7 @@ impl Graphics {
     /// Runs a task on the adapter.
     pub fn run<const D: usize>(
         &self,
-        task: &Task,
+        task: &Task<'_, D>,
         set: &ParticleSet<D>,
         progress: Progress,
     ) -> Result<Finished, Failure> {
@@ -66,7 +66,7 @@ impl Graphics {
     }
 
     /// Refuses.
-    pub fn run<const D: usize>(&self, _: &Task, _: &ParticleSet<D>, _: Progress) -> Result<Finished, Failure> {
+    pub fn run<const D: usize>(&self, _: &Task<'_, D>, _: &ParticleSet<D>, _: Progress) -> Result<Finished, Failure> {
         Err(Failure::BadInput(Self::ABSENT.into()))
     }
 }

@@ -4,7 +4,8 @@
 //! |---|---|
 //! | `plan.rs`, `graphics.rs` | what is to run; the graphics adapter, or why there is none |
 //! | `simulate.rs`, `timed.rs`, `progress.rs` | one simulation, its clocks, its progress |
-//! | `state.rs`, `exact.rs` | the particles at one moment; the exact solution |
+//! | `seen.rs`, `curve.rs` | the particles at the end as the scene looks at them; the exact solution as a line |
+//! | `observe.rs` | what a scene measures while it runs |
 //! | `compare.rs`, `approximation.rs` | the three sources of error |
 //! | `sensitivity.rs`, `noisy.rs` | where tolerances come from |
 //! | `wrapped.rs` | an engine with clocks or noise around it |
@@ -12,15 +13,16 @@
 
 mod approximation;
 mod assemble;
-mod compare;
-mod exact;
-mod graphics;
+pub mod compare;
+mod curve;
+pub mod graphics;
 mod noisy;
+mod observe;
 pub mod plan;
-mod progress;
+pub mod progress;
+pub mod seen;
 mod sensitivity;
-mod simulate;
-mod state;
+pub mod simulate;
 mod timed;
 mod wrapped;
 
@@ -38,16 +40,14 @@ use compare::Yardstick;
 use etalon_reference::engine::EngineError;
 use etalon_reference::particles::ParticleSet;
 use etalon_reference::pipeline::Pipeline;
-use etalon_reference::scenes::relax;
+use etalon_reference::scenes::{Problem, State, relax};
 use etalon_simd::{LaneEngine, Options};
-use exact::Exact;
 use fearless_simd::Level;
 use graphics::Graphics;
 use plan::{Combination, Plan, REFERENCE};
 use progress::{Progress, note};
 use sensitivity::Sensitivity;
 use simulate::{Finished, Task};
-use state::State;
 use std::iter::repeat_n;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -63,10 +63,17 @@ const GLASS_LENGTH: usize = 64;
 /// Runs, compares, writes the report; the text for stdout.
 pub fn run(arguments: &RunArguments) -> Result<Done, Failure> {
     let setup = Setup::new(&arguments.scene)?;
+    if let Some(every) = arguments.observe_every.or(setup.observe_every).filter(|every| *every <= 0.0) {
+        return Err(Failure::BadInput(format!("--observe-every {every}: give a time above 0")));
+    }
     let plan = Plan::new(arguments)?;
     let level = setup::instructions(arguments.instructions.as_deref())?;
     let folder = arguments.out.clone().unwrap_or_else(|| {
-        PathBuf::from("etalon-out").join(format!("{}-{}d", arguments.scene.scene, arguments.scene.dim))
+        // A scene of a file has its report under the file's name.
+        let stem =
+            setup.file.as_ref().and_then(|path| path.file_stem()).map(|stem| stem.to_string_lossy().into_owned());
+        let name = stem.unwrap_or_else(|| setup.problem.name().to_string());
+        PathBuf::from("etalon-out").join(format!("{name}-{}d", setup.dimension))
     });
     report::check_destination(&folder)?;
     let pool = setup::threads(arguments.threads)?;
@@ -96,29 +103,36 @@ struct Baseline {
 
 impl Session<'_> {
     fn run<const D: usize>(&self) -> Result<Done, Failure> {
-        let pipeline = Pipeline::of_scene::<D>(&self.setup.sod.physics());
+        let scene = self.setup.problem.scene::<D>();
+        let method = scene.method();
+        let pipeline = Pipeline::of_scene::<D>(&scene.physics());
         // The scene refuses more neighbours than this in its own words, once it makes the particles.
-        let neighbours = self.setup.sod.neighbours.min(1000.0);
+        let neighbours = method.neighbours.min(1000.0);
         let memory =
             |(backend, precision): Combination| Memory::of::<D>(backend, precision, &pipeline, neighbours).total();
         let largest = self.plan.combinations.iter().map(|c| memory(*c)).fold(0.0, f64::max);
         let asked = match &self.setup.start_file {
             Some(file) => format!("--start-file {}", file.path().display()),
-            None => format!("--n {}", self.setup.sod.particles),
+            None => format!("--n {}", method.particles),
         };
-        memory::check(&asked, self.setup.sod.particles, largest + memory::beside::<D>())?;
+        memory::check(&asked, method.particles, largest + memory::beside::<D>())?;
         // Drivers are opened once all else is known to be right: some talk while they start.
         let graphics = self.graphics()?;
 
-        let set = self.particles::<D>()?;
+        let set = particles::<D>(&self.setup, self.level)?;
         let particles = set.len();
         let task = Task {
-            physics: self.setup.sod.physics(),
+            scene,
+            physics: scene.physics(),
             end_time: self.setup.end_time,
             mobile: set.particles().iter().map(|p| p.mobile).collect(),
+            observe_every: self.arguments.observe_every.or(self.setup.observe_every),
             level: self.level,
         };
-        let exact = Exact::new(&self.setup)?;
+        let walls = task.mobile.iter().any(|mobile| !mobile);
+        let solution = scene.solution(task.end_time)?;
+        let solution = solution.as_deref();
+        let given = scene.given_momentum(task.end_time);
         let peak = fma_peak::measure(self.level);
 
         let mut baseline: Option<Baseline> = None;
@@ -139,21 +153,24 @@ impl Session<'_> {
             let reference = baseline.as_ref().filter(|_| combination != REFERENCE);
             let mut measured = self.measure(combination, &finished, reference, particles, peak)?;
             measured.bytes_per_particle = memory(combination);
-            measured.discretisation_error = compare::discretisation(&finished.state, &exact)?;
+            if let Some(solution) = solution {
+                measured.discretisation_error =
+                    compare::discretisation(&finished.seen, scene.view(), solution, scene.measured(task.end_time))?;
+            }
             let judge =
                 |reference: &'_ Baseline| reference.sensitivities.iter().find(|s| s.precision() == precision).copied();
             let judged = reference.and_then(|reference| Some((&reference.finished, judge(reference)?)));
             if let Some((reference, sensitivity)) = &judged {
-                measured.arithmetic_difference = compare::arithmetic(&finished, reference, sensitivity)?;
+                measured.arithmetic_difference = compare::arithmetic(&finished, reference, scene.view(), sensitivity)?;
             }
             let yardstick =
                 judged.as_ref().map(|(reference, sensitivity)| Yardstick::new(reference, sensitivity, &task.mobile));
-            measured.conservation = compare::conservation(&finished, D, yardstick);
-            let beside = reference.map(|reference| reference.finished.state.as_ref());
-            measured.profile = compare::profile(&finished.state, &task.mobile, &exact, beside);
+            measured.conservation = compare::conservation(&finished, D, &given, walls, yardstick);
+            let beside = reference.map(|reference| &reference.finished.seen);
+            measured.profile = compare::profile(&finished.seen, scene.view(), solution, beside);
             runs.push(Run::ran(backend.name(), precision.name(), measured));
             if kept.is_none() || combination == (Backend::Simd, Precision::Double) {
-                kept = Some(Arc::clone(&finished.state));
+                kept = Some(Arc::clone(&finished.seen.state));
             }
             if let Some(set) = initial {
                 baseline = Some(self.baseline(&task, &set, finished)?);
@@ -168,7 +185,10 @@ impl Session<'_> {
             level: self.level,
             peak,
             particles,
-            exact: &exact,
+            exact: curve::curve(solution, scene.view(), scene.shown()),
+            view: scene.view(),
+            measured: scene.measured(task.end_time),
+            description: scene.description(),
             runs,
         });
         self.finish(&report, kept.as_deref())
@@ -184,29 +204,10 @@ impl Session<'_> {
         }
     }
 
-    /// The initial particles; a glass is relaxed on the vector engine.
-    fn particles<const D: usize>(&self) -> Result<ParticleSet<D>, Failure> {
-        if let Some(file) = &self.setup.start_file {
-            let given = self.setup.sod.particles_given(file.particles::<D>());
-            return given
-                .map_err(|error| Failure::BadInput(format!("--start-file {}: {error}", file.path().display())));
-        }
-        let options = Options { level: self.level };
-        let physics = self.setup.sod.physics();
-        Ok(self.setup.sod.particles::<D>(|across| {
-            // In 1-D a glass may be of any length; a short one would meet itself around its box.
-            let across = if D == 1 { across.max(GLASS_LENGTH) } else { across };
-            note(&format!("relaxing a glass of {} particles", across.pow(D as u32)));
-            relax::<D, LaneEngine<f64, D>>(across, physics, GLASS_ROUNDS, 1, |set, pipeline| {
-                Ok::<_, EngineError>(LaneEngine::new(set, &pipeline.fields::<D>(), options))
-            })
-        })?)
-    }
-
     /// Keeps the reference, and runs it once more for each precision that will be compared, to learn what rounding does.
     fn baseline<const D: usize>(
         &self,
-        task: &Task,
+        task: &Task<'_, D>,
         set: &ParticleSet<D>,
         finished: Finished,
     ) -> Result<Baseline, Failure> {
@@ -265,6 +266,7 @@ impl Session<'_> {
             discretisation_error: Vec::new(),
             arithmetic_difference: Vec::new(),
             profile: crate::report::model::Profile { selection: String::new(), x: Vec::new(), fields: Vec::new() },
+            series: finished.series.clone(),
         })
     }
 
@@ -287,7 +289,26 @@ impl Session<'_> {
     }
 }
 
+/// The initial particles; a glass is relaxed on the vector engine.
+pub fn particles<const D: usize>(setup: &Setup, level: Level) -> Result<ParticleSet<D>, Failure> {
+    if let (Some(file), Problem::Sod(sod)) = (&setup.start_file, &setup.problem) {
+        let given = sod.particles_given(file.particles::<D>());
+        return given.map_err(|error| Failure::BadInput(format!("--start-file {}: {error}", file.path().display())));
+    }
+    let options = Options { level };
+    let scene = setup.problem.scene::<D>();
+    let physics = scene.physics();
+    Ok(scene.particles(&mut |across| {
+        // In 1-D a glass may be of any length; a short one would meet itself around its box.
+        let across = if D == 1 { across.max(GLASS_LENGTH) } else { across };
+        note(&format!("relaxing a glass of {} particles", across.pow(D as u32)));
+        relax::<D, LaneEngine<f64, D>>(across, physics, GLASS_ROUNDS, 1, |set, pipeline| {
+            Ok::<_, EngineError>(LaneEngine::new(set, &pipeline.fields::<D>(), options))
+        })
+    })?)
+}
+
 /// A run as progress and errors name it.
-fn label((backend, precision): Combination) -> String {
+pub fn label((backend, precision): Combination) -> String {
     format!("{backend} {precision}")
 }

@@ -6,8 +6,8 @@
 
 use super::noisy::{Noise, Noisy};
 use super::progress::Progress;
+use super::seen::{FIELDS, VELOCITY};
 use super::simulate::{Finished, Task};
-use super::state::COMPARED;
 use super::timed::Timed;
 use crate::command::choices::Precision;
 use crate::command::failure::Failure;
@@ -34,22 +34,21 @@ const MOST: f64 = 0.01;
 pub struct Sensitivity {
     precision: Precision,
     /// Root of the mean square difference in units of the field's scale.
-    response: [f64; 4],
+    response: [f64; FIELDS],
     steps: u64,
 }
 
 /// What differences of each field are measured in: the largest magnitude that the reference has, and for the velocity at least the
 /// largest `sqrt(P / rho)`, which is about the speed of sound: the sums that accelerate a particle cancel terms of that size, so a gas
 /// at rest has velocities that are rounding and nothing else.
-pub fn scales(reference: &Finished) -> [f64; 4] {
-    let columns = reference.state.compared();
-    let column =
-        |name: &str| COMPARED.iter().zip(columns).find(|(n, _)| **n == name).map_or(&[][..], |(_, column)| column);
-    let thermal = column("pressure").iter().zip(column("density")).map(|(p, rho)| (p / rho).sqrt());
-    let thermal = thermal.fold(0.0, f64::max);
+pub fn scales(reference: &Finished) -> [f64; FIELDS] {
+    let columns = reference.seen.compared();
+    let state = &reference.seen.state;
+    let thermal = state.pressure.iter().zip(&state.density).map(|(p, rho)| (p / rho).sqrt()).fold(0.0, f64::max);
     std::array::from_fn(|k| {
-        let least = if COMPARED[k].starts_with("velocity") { thermal } else { 0.0 };
-        columns[k].iter().fold(least, |largest: f64, v| largest.max(v.abs()))
+        let least = if k == VELOCITY { thermal } else { 0.0 };
+        // A gas without any heat has no scale of it; what is zero in both runs differs by nothing in any.
+        columns[k].iter().fold(least.max(f64::MIN_POSITIVE), |largest, v| largest.max(v.abs()))
     })
 }
 
@@ -65,7 +64,7 @@ impl Sensitivity {
     /// Runs the reference with random roundings of that precision.
     pub fn measure<const D: usize>(
         precision: Precision,
-        task: &Task,
+        task: &Task<'_, D>,
         set: &ParticleSet<D>,
         reference: &Finished,
         shown: bool,
@@ -78,8 +77,8 @@ impl Sensitivity {
         let label = format!("reference f64, rounded like {precision} at random");
         let engine = Timed::new(Noisy::new(PlainEngine::<f64, D>::new(set), noise));
         let noisy = task.simulate(engine, set.domain(), Progress::new(&label, task.end_time, shown))?;
-        let mut response = [0.0; 4];
-        let pairs = reference.state.compared().into_iter().zip(noisy.state.compared());
+        let mut response = [0.0; FIELDS];
+        let pairs = reference.seen.compared().into_iter().zip(noisy.seen.compared());
         for (k, ((a, b), scale)) in pairs.zip(scales(reference)).enumerate() {
             response[k] = rms(a, b)? / scale;
         }
@@ -92,7 +91,7 @@ impl Sensitivity {
     }
 
     /// What the rms difference of a field may be, in units of its scale.
-    pub fn tolerance(&self, field: usize) -> Tolerance {
+    pub fn tolerance(&self, field: usize, name: &str) -> Tolerance {
         let (unit, place) = match self.precision {
             Precision::Single => ("2⁻²⁴", "2⁻³²"),
             Precision::Double => ("2⁻⁵³", "2⁻⁵³"),
@@ -107,7 +106,7 @@ impl Sensitivity {
                  random by √{ROUNDINGS_PER_STEP} × {unit} (about {ROUNDINGS_PER_STEP} roundings) and its position by {place} of the box; \
                  {SPREAD} for the spread between one sample of such noise and another",
                 plain(self.response[field]),
-                COMPARED[field],
+                name,
                 self.steps,
             ),
         )

@@ -1,40 +1,48 @@
 //! One simulation from start to end.
 
+use super::observe::Observer;
 use super::plan::Combination;
 use super::progress::Progress;
-use super::state::{State, Totals};
+use super::seen::Seen;
 use super::timed::{Clocked, Timed};
 use crate::command::choices::{Backend, Precision};
 use crate::command::failure::Failure;
 use crate::command::run::graphics::Graphics;
-use crate::report::model::Stage;
+use crate::report::model::{Series, Stage};
 use etalon_reference::domain::Domain;
 use etalon_reference::engine::{Engine, EngineError, PlainEngine};
 use etalon_reference::particles::ParticleSet;
 use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
+use etalon_reference::scenes::{Scene, State, Totals};
 use etalon_reference::simulation::Simulation;
 use etalon_simd::{LaneEngine, Options};
 use fearless_simd::Level;
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// What every run of a scene has in common.
-pub struct Task {
+pub struct Task<'a, const D: usize> {
+    /// What is run.
+    pub scene: &'a dyn Scene<D>,
     /// The physics.
     pub physics: Physics,
     /// When to stop.
     pub end_time: f64,
     /// Which particles move.
     pub mobile: Vec<bool>,
+    /// Simulated time between two measurements; usual if none.
+    pub observe_every: Option<f64>,
     /// The vector instructions to use.
     pub level: Level,
 }
 
 /// A simulation that reached its end.
 pub struct Finished {
-    /// The particles at the end; shared, for several may keep them.
-    pub state: Arc<State>,
+    /// The particles at the end.
+    pub seen: Seen,
+    /// What was measured on the way.
+    pub series: Series,
     /// Sums at the start.
     pub start: Totals,
     /// Sums at the end.
@@ -49,10 +57,10 @@ pub struct Finished {
     pub stages: Vec<Stage>,
 }
 
-impl Task {
+impl<const D: usize> Task<'_, D> {
     /// Runs the particles on the backend of a combination. An engine has its own copy of them: the set is let go before the first step,
     /// and its memory is free again if nobody else holds it.
-    pub fn run<const D: usize>(
+    pub fn run(
         &self,
         combination: Combination,
         set: Arc<ParticleSet<D>>,
@@ -80,7 +88,7 @@ impl Task {
     }
 
     /// Runs an engine to the end time.
-    pub fn simulate<const D: usize, E: Engine<D> + Clocked>(
+    pub fn simulate<E: Engine<D> + Clocked>(
         &self,
         engine: E,
         domain: &Domain<D>,
@@ -91,15 +99,33 @@ impl Task {
         let mut simulation = Simulation::new(engine, self.physics).map_err(wrong)?;
         let start = Totals::read(simulation.engine(), &self.mobile).map_err(wrong)?;
         simulation.engine().restart().map_err(wrong)?;
+        let mut observer = Observer::new(self.scene, self.observe_every, self.end_time);
+        let mut watch = |simulation: &mut Simulation<D, E>| -> Result<Duration, Failure> {
+            let (clock, time) = (Instant::now(), simulation.time());
+            if observer.wants(time, time >= self.end_time) {
+                let state = State::read(simulation.engine(), domain, time).map_err(wrong)?;
+                observer.measure(&state).map_err(|error| Failure::Broken(format!("{label}: {error}")))?;
+            }
+            Ok(clock.elapsed())
+        };
+        watch(&mut simulation)?;
+        // What is read and measured is no part of the simulation's time.
+        let mut watching = Duration::ZERO;
         let clock = Instant::now();
-        simulation.run(self.end_time, |time| progress.step(time)).map_err(wrong)?;
-        let wall_seconds = clock.elapsed().as_secs_f64();
+        simulation.run_watched(self.end_time, |simulation| {
+            progress.step(simulation.time());
+            watching += watch(simulation)?;
+            Ok::<_, Failure>(())
+        })?;
+        let wall_seconds = clock.elapsed().saturating_sub(watching).as_secs_f64();
         progress.done(wall_seconds);
         let stages = simulation.engine().stages().map_err(wrong)?;
+        let time = simulation.time();
         // The results take the place of what the last step needed.
         simulation.engine().forget_neighbours();
         Ok(Finished {
-            state: Arc::new(State::read(simulation.engine(), domain).map_err(wrong)?),
+            seen: Seen::new(State::read(simulation.engine(), domain, time).map_err(wrong)?, self.scene.view()),
+            series: observer.series(),
             end: Totals::read(simulation.engine(), &self.mobile).map_err(wrong)?,
             start,
             steps: simulation.steps(),

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Profile;
+use super::{Profile, Series};
 
 /// One backend in one precision.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -82,6 +82,9 @@ pub struct Measurements {
     pub arithmetic_difference: Vec<FieldDifference>,
     /// Particles for the plots.
     pub profile: Profile,
+    /// What was measured on the way; without quantities where the scene measures nothing.
+    #[serde(default)]
+    pub series: Series,
 }
 
 impl Measurements {

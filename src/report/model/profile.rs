@@ -40,7 +40,7 @@ pub struct ProfileField {
     pub field: String,
     /// Its value for each particle of the profile.
     pub value: Vec<f64>,
-    /// The exact solution at each particle's place.
+    /// The exact solution at each particle's place. Empty where there is none.
     pub exact: Vec<f64>,
     /// What the scalar f64 reference has for the same particle. Empty for the reference itself.
     pub reference: Vec<f64>,

@@ -39,7 +39,7 @@ pub(super) fn draw(report: &Report) -> Result<Option<Plot>, ReportError> {
             let points: Vec<(f64, f64)> = points.into_iter().filter(|(_, error)| *error > 0.0).collect();
             Series { label, colour, mark: Mark::Translucent(4), zeros: all - points.len(), points }
         };
-        if series.is_empty() {
+        if series.is_empty() && !column.exact.is_empty() {
             let label = format!("{} − exact", run.label());
             series.push(of(label, INK, &column.exact));
         }
@@ -61,10 +61,13 @@ pub(super) fn draw(report: &Report) -> Result<Option<Plot>, ReportError> {
     let norm = &report.scene.norm;
     let title = format!("{}: absolute error |Δ{}| [{}]", capital(&field.label), field.symbol, field.unit);
     let caption = format!(
-        "Error of single particles along {}. Upper cloud: distance from the exact solution, which is the method’s. Lower \
-         clouds: distance from the scalar f64 reference, which is the arithmetic’s. Norms are taken between the broken \
-         lines, {} to {}.{zeros}",
+        "Error of single particles along {}. {}distance from the scalar f64 reference, which is the arithmetic’s. Norms are taken \
+         between the broken lines, {} to {}.{zeros}",
         norm.coordinate,
+        match report.exact.x.is_empty() {
+            true => "Clouds: ",
+            false => "Upper cloud: distance from the exact solution, which is the method’s. Lower clouds: ",
+        },
         number::short(norm.from),
         number::short(norm.to)
     );

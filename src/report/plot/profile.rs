@@ -29,7 +29,10 @@ pub(super) fn draw(report: &Report, field: &Field) -> Result<Option<Plot>, Repor
     let exact = exact.map(|curve| report.exact.x.iter().copied().zip(curve.value.iter().copied()));
     let line: Vec<(f64, f64)> = exact.into_iter().flatten().collect();
 
-    let mut keys = vec![Key { label: "exact".into(), colour: INK, mark: Mark::Line }];
+    let mut keys = Vec::new();
+    if !line.is_empty() {
+        keys.push(Key { label: "exact".into(), colour: INK, mark: Mark::Line });
+    }
     keys.extend(runs.iter().map(|(index, label, ..)| Key {
         label: label.clone(),
         colour: theme::run(*index),
@@ -38,11 +41,12 @@ pub(super) fn draw(report: &Report, field: &Field) -> Result<Option<Plot>, Repor
     let title = format!("{} {} [{}]", capital(&field.label), field.symbol, field.unit);
     let shown: usize = runs.iter().map(|(_, _, x, _)| x.len()).max().unwrap_or(0);
     let caption = format!(
-        "{} along {} at t = {}: the line is the exact solution, marks are particles. The runs took turns with {} \
-         particles, so that their marks do not hide each other.",
+        "{} along {} at t = {}: {}marks are particles. The runs took turns with {} particles, so that their marks do not hide \
+         each other.",
         capital(&field.label),
         norm.coordinate,
         number::short(report.scene.end_time),
+        if line.is_empty() { "" } else { "the line is the exact solution, " },
         number::count(shown.min(MARKS) as u64)
     );
     let x_range = padded(runs.iter().flat_map(|(_, _, x, _)| x.iter().copied()));
@@ -63,6 +67,9 @@ pub(super) fn draw(report: &Report, field: &Field) -> Result<Option<Plot>, Repor
         // Over the particles, so that it is never hidden. Cut to the range of the particles.
         let inside = line.iter().filter(|(x, _)| x_range.contains(x));
         let pixels: Vec<(i32, i32)> = inside.map(|point| chart.backend_coord(point)).collect();
+        if pixels.is_empty() {
+            return Ok(());
+        }
         area.draw(&PathElement::new(pixels, INK.light.stroke_width(3)))
     })
     .map(Some)

@@ -1,0 +1,57 @@
+//! What a scene measures while it runs.
+
+use crate::report::model::{Series, SeriesQuantity};
+use etalon_reference::scenes::{Quantity, Scene, SceneError, State};
+
+/// Without a choice, how many measurements a run makes beside that of the start.
+const USUAL: f64 = 50.0;
+
+/// The measurements of one run: at the start, after the first step past every mark, and at the end. Steps are not cut short to hit a mark, so that a run
+/// that is watched is the same as one that is not.
+pub struct Observer<'a, const D: usize> {
+    scene: &'a dyn Scene<D>,
+    every: f64,
+    next: f64,
+    times: Vec<f64>,
+    values: Vec<Vec<f64>>,
+}
+
+impl<'a, const D: usize> Observer<'a, D> {
+    /// Of a run until `end`, with so much time between two measurements.
+    pub fn new(scene: &'a dyn Scene<D>, every: Option<f64>, end: f64) -> Self {
+        let values = scene.quantities().iter().map(|_| Vec::new()).collect();
+        Observer { scene, every: every.unwrap_or(end / USUAL), next: 0.0, times: Vec::new(), values }
+    }
+
+    /// Whether something is to be measured at a time; `last` at the end.
+    pub fn wants(&self, time: f64, last: bool) -> bool {
+        !self.values.is_empty() && (time >= self.next || (last && self.times.last() != Some(&time)))
+    }
+
+    /// Measures.
+    pub fn measure(&mut self, state: &State) -> Result<(), SceneError> {
+        let values = self.scene.observe(state)?;
+        self.times.push(state.time);
+        for (column, value) in self.values.iter_mut().zip(values) {
+            column.push(value);
+        }
+        // Several marks may have gone by in one step.
+        self.next = self.every * ((state.time / self.every).floor() + 1.0);
+        Ok(())
+    }
+
+    /// All that was measured.
+    pub fn series(self) -> Series {
+        let quantity = |(quantity, value): (Quantity, Vec<f64>)| SeriesQuantity {
+            name: quantity.name.into(),
+            label: quantity.label.into(),
+            symbol: quantity.symbol.into(),
+            unit: quantity.unit.into(),
+            expected: quantity.expected.map(|(value, _)| value),
+            expected_source: quantity.expected.map(|(_, source)| source.into()),
+            value,
+        };
+        let quantities = self.scene.quantities().into_iter().zip(self.values).map(quantity).collect();
+        Series { time: self.times, quantities }
+    }
+}

@@ -1,0 +1,122 @@
+//! One run of many.
+
+use crate::command::explain::work_per_update;
+use crate::command::failure::Failure;
+use crate::command::memory::Memory;
+use crate::command::run::graphics::Graphics;
+use crate::command::run::plan::Combination;
+use crate::command::run::progress::Progress;
+use crate::command::run::seen::names;
+use crate::command::run::simulate::{Finished, Task};
+use crate::command::run::{compare, particles};
+use crate::command::setup::Setup;
+use etalon_reference::pipeline::Pipeline;
+use fearless_simd::Level;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A run to be made.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// The scene with all its choices.
+    pub setup: Setup,
+    /// What runs it, in which precision.
+    pub combination: Combination,
+}
+
+/// What is remembered of a run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// The options of `etalon run` that make it again: no two different runs have the same.
+    pub id: String,
+    /// Particles, walls included.
+    pub particles: u64,
+    /// Steps taken.
+    pub steps: u64,
+    /// Wall-clock time of all steps, seconds.
+    pub wall_seconds: f64,
+    /// Floating-point operations of all steps, counted from the graph with the wanted neighbour number.
+    pub operations: f64,
+    /// Memory held at the largest, bytes a particle, counted.
+    pub bytes_per_particle: f64,
+    /// Mean absolute error of each field against the solution (GS25 20); empty without one.
+    pub l1: BTreeMap<String, f64>,
+    /// Change of the energy from start to end, over that at the start.
+    pub energy_drift: f64,
+    /// Of everything measured on the way: the last value.
+    pub last: BTreeMap<String, f64>,
+    /// And the largest.
+    pub largest: BTreeMap<String, f64>,
+}
+
+impl Job {
+    /// The options that make it again.
+    pub fn id(&self) -> String {
+        let (backend, precision) = self.combination;
+        format!("{} --backend {backend} --precision {precision}", self.setup.options())
+    }
+
+    /// About how much work it is, in particle updates: each step is shorter the closer particles lie.
+    pub fn size(&self) -> f64 {
+        let particles = self.setup.method().particles as f64;
+        particles.powf(1.0 + 1.0 / self.setup.dimension as f64) * self.setup.end_time
+    }
+
+    /// Makes the run.
+    pub fn run(&self, level: Level, graphics: &Graphics, label: &str) -> Result<Record, Failure> {
+        match self.setup.dimension {
+            1 => self.run_in::<1>(level, graphics, label),
+            2 => self.run_in::<2>(level, graphics, label),
+            _ => self.run_in::<3>(level, graphics, label),
+        }
+    }
+
+    fn run_in<const D: usize>(&self, level: Level, graphics: &Graphics, label: &str) -> Result<Record, Failure> {
+        let scene = self.setup.problem.scene::<D>();
+        let set = particles::<D>(&self.setup, level)?;
+        let count = set.len() as u64;
+        let physics = scene.physics();
+        let task = Task {
+            scene,
+            physics,
+            end_time: self.setup.end_time,
+            mobile: set.particles().iter().map(|p| p.mobile).collect(),
+            observe_every: self.setup.observe_every,
+            level,
+        };
+        let progress = Progress::new(label, task.end_time, true);
+        let finished = task.run(self.combination, Arc::new(set), graphics, progress)?;
+        let mut l1 = BTreeMap::new();
+        if let Some(solution) = scene.solution(task.end_time)? {
+            let measured = scene.measured(task.end_time);
+            let errors = compare::discretisation(&finished.seen, scene.view(), solution.as_ref(), measured)?;
+            l1.extend(names(scene.view()).into_iter().map(String::from).zip(errors.into_iter().map(|e| e.l1)));
+        }
+        let pipeline = Pipeline::of_scene::<D>(&physics);
+        let (backend, precision) = self.combination;
+        let neighbours = self.setup.method().neighbours;
+        let updates = count as f64 * finished.steps as f64;
+        Ok(Record {
+            id: self.id(),
+            particles: count,
+            steps: finished.steps,
+            wall_seconds: finished.wall_seconds,
+            operations: updates * work_per_update::<D>(&pipeline, physics, precision, neighbours)?,
+            bytes_per_particle: Memory::of::<D>(backend, precision, &pipeline, neighbours).total(),
+            l1,
+            energy_drift: drift(&finished),
+            last: of_series(&finished, |values| values.last().copied()),
+            largest: of_series(&finished, |values| values.iter().copied().reduce(f64::max)),
+        })
+    }
+}
+
+fn drift(finished: &Finished) -> f64 {
+    (finished.end.energy - finished.start.energy) / finished.start.energy.max(f64::MIN_POSITIVE)
+}
+
+fn of_series(finished: &Finished, of: impl Fn(&[f64]) -> Option<f64>) -> BTreeMap<String, f64> {
+    let quantities = finished.series.quantities.iter();
+    quantities.filter_map(|quantity| Some((quantity.name.clone(), of(&quantity.value)?))).collect()
+}

@@ -1,0 +1,72 @@
+//! Doing what is left, smallest first, with an estimate of the time it will take.
+
+use super::{Job, Record, Store};
+use crate::command::failure::Failure;
+use crate::command::run::graphics::Graphics;
+use crate::command::run::progress::note;
+use crate::report::plain;
+use fearless_simd::Level;
+
+/// What runs are made with.
+pub struct Chances<'a> {
+    /// Vector instructions.
+    pub level: Level,
+    /// The adapter, or why there is none.
+    pub graphics: &'a Graphics,
+    /// Wall-clock time to stop beginning new runs at, in seconds; none for no limit.
+    pub budget_seconds: Option<f64>,
+}
+
+/// Makes those of the jobs that are not done yet; how many are left because time ran out.
+///
+/// A run that breaks down is told and left out; the others go on.
+pub fn work(jobs: &[Job], store: &mut Store, with: &Chances) -> Result<usize, Failure> {
+    let mut left: Vec<&Job> = jobs.iter().filter(|job| store.find(&job.id()).is_none()).collect();
+    left.sort_by(|a, b| a.size().total_cmp(&b.size()));
+    if left.len() < jobs.len() {
+        note(&format!("{} of {} runs are done already", jobs.len() - left.len(), jobs.len()));
+    }
+    let clock = std::time::Instant::now();
+    let (mut done_size, total) = (0.0, left.iter().map(|job| job.size()).sum::<f64>());
+    for (number, job) in left.iter().enumerate() {
+        let spent = clock.elapsed().as_secs_f64();
+        if with.budget_seconds.is_some_and(|budget| spent > budget) {
+            return Ok(left.len() - number);
+        }
+        if done_size > 0.0 {
+            let rest = spent / done_size * (total - done_size);
+            note(&format!("run {} of {}, about {} left", number + 1, left.len(), duration(rest)));
+        }
+        let label = format!("{} of {}", number + 1, left.len());
+        match job.run(with.level, with.graphics, &label) {
+            Ok(record) => store.add(record)?,
+            Err(error) => note(&format!("left out: {}: {error}", job.id())),
+        }
+        done_size += job.size();
+    }
+    Ok(0)
+}
+
+/// The records of jobs, in their order; none for those that are not done.
+pub fn done_of<'a>(jobs: &[Job], store: &'a Store) -> Vec<Option<&'a Record>> {
+    jobs.iter().map(|job| store.find(&job.id())).collect()
+}
+
+/// A time for people.
+fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 90.0 => format!("{s:.0} s"),
+        s if s < 5400.0 => format!("{:.0} min", s / 60.0),
+        s => format!("{} h", plain((s / 360.0).round() / 10.0)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::duration;
+
+    #[test]
+    fn durations_are_told_in_the_unit_that_suits_them() {
+        assert_eq!([duration(12.4), duration(600.0), duration(9000.0)], ["12 s", "10 min", "2.50 h"]);
+    }
+}
