@@ -3,7 +3,9 @@
 mod error;
 mod filling;
 mod glass;
+pub mod gresho_chan;
 mod lattice;
+mod measures;
 mod method;
 mod problem;
 mod scene;
@@ -15,6 +17,7 @@ pub use error::SceneError;
 pub use filling::{Block, Filling};
 pub use glass::{GlassError, relax};
 pub use lattice::Tube;
+pub use measures::Compared;
 pub use method::Method;
 pub use problem::{Definition, Name, Problem, ReadChoices};
 pub use scene::{Description, GivenMomentum, Glasses, Measured, Quantity, Scene, Solution};

@@ -1,0 +1,4 @@
+//! Scenes: that each starts from what the paper says, and that a short run of it does what is known of it.
+
+mod gresho_chan;
+mod support;
