@@ -1,7 +1,10 @@
 //! Why a scene cannot be set up.
 
-use super::GlassError;
+use super::{Definition, GlassError};
+use crate::diagnostics::entropy::EntropyError;
+use crate::diagnostics::mode_amplitude::AmplitudeError;
 use crate::domain::DomainError;
+use crate::norms::NormError;
 use crate::particles::ParticleError;
 
 /// What is wrong with the choices; each says what to give instead.
@@ -66,6 +69,34 @@ pub enum SceneError {
     /// What it is to be compared with cannot be computed.
     #[error("no solution to compare with: {0}")]
     Solution(String),
+    /// Something that is watched while it runs cannot be measured.
+    #[error(transparent)]
+    Norm(#[from] NormError),
+    /// The amplitude of a wave cannot.
+    #[error(transparent)]
+    Amplitude(#[from] AmplitudeError),
+    /// The entropy cannot.
+    #[error(transparent)]
+    Entropy(#[from] EntropyError),
+}
+
+impl SceneError {
+    /// A choice that must be a finite number above some least one.
+    pub(super) fn unless_above(name: &'static str, given: f64, least: f64) -> Result<(), Self> {
+        let rule = || format!("give a finite number above {least}");
+        if given.is_finite() && given > least {
+            return Ok(());
+        }
+        Err(SceneError::Choice { name, given: given.to_string(), rule: rule() })
+    }
+
+    /// A dimension that the problem does not have.
+    pub(super) fn unless_in<P: Definition>(scene: &'static str, given: usize) -> Result<(), Self> {
+        match P::DIMENSIONS.contains(&given) {
+            true => Ok(()),
+            false => Err(SceneError::Dimension { scene, given, allowed: P::DIMENSIONS }),
+        }
+    }
 }
 
 impl From<DomainError> for SceneError {

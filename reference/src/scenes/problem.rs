@@ -1,7 +1,7 @@
 //! All problems there are, by name: where a scene file and the command pick one.
 
 use super::scene::Scene;
-use super::{Method, SceneError, sod};
+use super::{Method, SceneError, gresho_chan, noh, sedov, sod};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -116,6 +116,12 @@ pub trait ReadChoices {
 problems! {
     /// Sod's shock tube.
     Sod(sod::Sod) = "sod",
+    /// The vortex of Gresho and Chan.
+    GreshoChan(gresho_chan::GreshoChan) = "gresho-chan",
+    /// Noh's implosion.
+    Noh(noh::Noh) = "noh",
+    /// Sedov's blast.
+    Sedov(sedov::Sedov) = "sedov",
 }
 
 impl<'de> Deserialize<'de> for Name {

@@ -40,6 +40,11 @@ pub trait Scene<const D: usize>: Send + Sync {
         let _ = state;
         Ok(Vec::new())
     }
+    /// The same where it takes the start to tell; what a run calls, with the state it started from.
+    fn observe_since(&self, start: &State, now: &State) -> Result<Vec<f64>, SceneError> {
+        let _ = start;
+        self.observe(now)
+    }
     /// In words, for the report.
     fn description(&self) -> Description;
 }
