@@ -1,9 +1,14 @@
 //! The problems that are run: initial state, boundaries, physics, end time and what to compare with.
 
+pub mod dustybox;
+pub mod dustyshock;
+pub mod dustywave;
+mod gas_and_dust;
 mod glass;
 mod lattice;
 pub mod sod;
 
+pub use gas_and_dust::DustySceneError;
 pub use glass::{GlassError, relax};
 pub use lattice::Tube;
 
