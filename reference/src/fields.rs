@@ -29,6 +29,8 @@ fields! {
     INTERNAL_ENERGY = "internal_energy", "u", "L^2 T^-2", Scalar;
     /// One where the particle moves freely, zero where it is part of a fixed wall.
     MOBILITY = "mobility", "\\mu", "", Scalar;
+    /// Zero for gas, one for dust; only what has both carries it.
+    SPECIES = "species", "s", "", Scalar;
 
     /// The plain density estimate, `rho^0 = sum m_b W_ab`.
     STANDARD_DENSITY = "standard_density", "\\rho^0", "M L^-nu", Scalar;
@@ -79,6 +81,19 @@ fields! {
     REMAINING_ALPHA = "remaining_alpha", "\\alpha_-", "", Scalar;
     /// The rate at which it decays, `1 / tau` (GS25 10).
     ALPHA_DECAY_RATE = "alpha_decay_rate", "1/\\tau", "T^-1", Scalar;
+
+    /// `sum m_b v_ba (grad W_ab)^T` over neighbours of the same species (PL20 11), without the power of `h_a` common to all terms.
+    LINEAR_GRADIENT_SUM = "linear_gradient_sum", "-\\sum m_b v_{ab} \\nabla W_{ab}", "M L^2 T^-1", Matrix;
+    /// `R = sum m_b r_ba (grad W_ab)^T` (PL20 12), likewise.
+    CORRECTION_MATRIX = "correction_matrix", "R", "M L^2", Symmetric;
+    /// The symmetric part of the velocity gradient that is exact for linear flows (PL20 11).
+    LINEAR_STRAIN_RATE = "linear_strain_rate", "\\frac12(J+J^T)_{lin}", "T^-1", Symmetric;
+    /// Drag of the other species (PL20 4, 5).
+    DRAG_ACCELERATION = "drag_acceleration", "\\dot v_{drag}", "L T^-2", Vector;
+    /// Drag heating of the gas (PL20 6).
+    DRAG_HEATING = "drag_heating", "\\dot u_{drag}", "L^2 T^-3", Scalar;
+    /// The inverse of the shortest stopping time among the neighbours of the other species (PL20 7).
+    STOPPING_RATE = "stopping_rate", "1/t_s", "T^-1", Scalar, Max;
 
     /// Acceleration (C25 22).
     ACCELERATION = "acceleration", "\\dot v", "L T^-2", Vector;

@@ -27,6 +27,14 @@ pub enum ParticleError {
         /// How many it should have.
         expected: usize,
     },
+    /// A particle of dust with what only gas has.
+    #[error("particle {particle} is dust and has internal_energy = {value}; dust has no pressure, so give it 0")]
+    WarmDust {
+        /// Which particle, from 0.
+        particle: usize,
+        /// Its internal energy.
+        value: f64,
+    },
     /// No particles at all.
     #[error("the scene has no particles; ask for at least one")]
     Empty,
@@ -57,6 +65,7 @@ pub struct Particle<const D: usize> {
 pub struct ParticleSet<const D: usize> {
     domain: Domain<D>,
     particles: Vec<Particle<D>>,
+    dust: Option<Vec<bool>>,
 }
 
 impl<const D: usize> ParticleSet<D> {
@@ -87,7 +96,24 @@ impl<const D: usize> ParticleSet<D> {
                 }
             }
         }
-        Ok(ParticleSet { domain, particles })
+        Ok(ParticleSet { domain, particles, dust: None })
+    }
+
+    /// The same particles, of two species: for each whether it is dust. To be run with [`Physics::drag`](crate::passes::Physics::drag); a physics
+    /// without has one species only.
+    ///
+    /// # Errors
+    /// Another number of entries than particles, or dust with an internal energy.
+    pub fn with_dust(self, dust: Vec<bool>) -> Result<Self, ParticleError> {
+        if dust.len() != self.particles.len() {
+            let (found, expected) = (dust.len(), self.particles.len());
+            return Err(ParticleError::Length { field: "species", found, expected });
+        }
+        let warm = |(p, is_dust): (&Particle<D>, &bool)| *is_dust && p.internal_energy != 0.0;
+        if let Some(particle) = self.particles.iter().zip(&dust).position(warm) {
+            return Err(ParticleError::WarmDust { particle, value: self.particles[particle].internal_energy });
+        }
+        Ok(ParticleSet { dust: Some(dust), ..self })
     }
 
     /// The box.
@@ -97,6 +123,17 @@ impl<const D: usize> ParticleSet<D> {
     /// The particles, in the order that gives them their numbers.
     pub fn particles(&self) -> &[Particle<D>] {
         &self.particles
+    }
+    /// For each whether it is dust, if the set was given two species.
+    pub fn dust(&self) -> Option<&[bool]> {
+        self.dust.as_deref()
+    }
+    /// The value of the field [`SPECIES`](crate::fields::SPECIES) for a particle: one if it is dust, else zero.
+    pub fn species(&self, particle: usize) -> f64 {
+        match &self.dust {
+            Some(dust) if dust[particle] => 1.0,
+            _ => 0.0,
+        }
     }
     /// How many there are; never zero.
     #[allow(clippy::len_without_is_empty)]
@@ -122,6 +159,20 @@ mod tests {
             internal_energy: 1.0,
             mobile: true,
         }
+    }
+
+    #[test]
+    fn dust_is_cold_and_every_particle_has_a_species() {
+        let domain = Domain::new([0.0], [1.0], [true]).unwrap();
+        let set = ParticleSet::new(domain, vec![particle(), Particle { internal_energy: 0.0, ..particle() }]).unwrap();
+        assert_eq!((set.dust(), set.species(1)), (None, 0.0));
+        let mixed = set.clone().with_dust(vec![false, true]).unwrap();
+        assert_eq!((mixed.species(0), mixed.species(1)), (0.0, 1.0));
+        let warm = set.clone().with_dust(vec![true, true]).unwrap_err();
+        assert_eq!(warm, ParticleError::WarmDust { particle: 0, value: 1.0 });
+        assert!(warm.to_string().contains("give it 0"), "{warm}");
+        let error = set.with_dust(vec![true]).unwrap_err().to_string();
+        assert!(error.contains("species has 1 entries for 2"), "{error}");
     }
 
     #[test]

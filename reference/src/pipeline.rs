@@ -15,46 +15,87 @@ pub trait PassVisitor<const D: usize> {
 }
 
 macro_rules! catalogue {
-    ($($(#[$meta:meta])* $name:ident),* $(,)?) => {
+    (gas { $($(#[$gas_meta:meta])* $gas:ident,)* }
+     mixture { $($(#[$meta:meta])* $name:ident = $first:ident $(of $inner:ident)?,)* }) => {
         /// One of the passes there are.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum PassKind { $($(#[$meta])* $name),* }
+        pub enum PassKind { $($(#[$gas_meta])* $gas,)* $($(#[$meta])* $name,)* }
 
         impl PassKind {
             /// All of them; of two that write the same field, the one that does less comes first.
-            pub const ALL: &'static [PassKind] = &[$(PassKind::$name),*];
+            pub const ALL: &'static [PassKind] = &[$(PassKind::$gas,)* $(PassKind::$name,)*];
 
+            /// Whether it is for particles of two species, gas and dust. No pipeline has passes of both kinds.
+            pub fn is_of_mixture(self) -> bool {
+                match self { $(PassKind::$gas => false,)* $(PassKind::$name => true,)* }
+            }
             /// What it reads and writes.
             pub fn footprint<const D: usize>(self) -> Footprint {
-                match self { $(PassKind::$name => Footprint::of_pass::<D, $name>()),* }
+                match self {
+                    $(PassKind::$gas => Footprint::of_pass::<D, $gas>(),)*
+                    $(PassKind::$name => Footprint::of_pass::<D, $first$(<$inner>)?>(),)*
+                }
             }
             /// Makes the pass for a scene's physics and hands it to the visitor.
             pub fn visit<const D: usize, V: PassVisitor<D>>(self, physics: Physics, visitor: &mut V) -> V::Output {
-                match self { $(PassKind::$name => visitor.visit(&$name(physics))),* }
+                match self {
+                    $(PassKind::$gas => visitor.visit(&$gas(physics)),)*
+                    $(PassKind::$name => visitor.visit(&catalogue!(@make physics $first $($inner)?)),)*
+                }
             }
         }
     };
+    (@make $physics:ident $pass:ident) => { $pass($physics) };
+    (@make $physics:ident $mask:ident $pass:ident) => { $mask($pass($physics)) };
 }
 
 catalogue! {
-    /// [`VolumeElements`].
-    VolumeElements,
-    /// [`Density`].
-    Density,
-    /// [`Gradients`].
-    Gradients,
-    /// [`VelocityGradients`].
-    VelocityGradients,
-    /// [`Switch`].
-    Switch,
-    /// [`Momentum`].
-    Momentum,
-    /// [`ReconstructedMomentum`].
-    ReconstructedMomentum,
-    /// [`SwitchedMomentum`].
-    SwitchedMomentum,
-    /// [`Conduction`].
-    Conduction,
+    gas {
+        /// [`VolumeElements`].
+        VolumeElements,
+        /// [`Density`].
+        Density,
+        /// [`Gradients`].
+        Gradients,
+        /// [`VelocityGradients`].
+        VelocityGradients,
+        /// [`Switch`].
+        Switch,
+        /// [`Momentum`].
+        Momentum,
+        /// [`ReconstructedMomentum`].
+        ReconstructedMomentum,
+        /// [`SwitchedMomentum`].
+        SwitchedMomentum,
+        /// [`Conduction`].
+        Conduction,
+    }
+    mixture {
+        /// [`VolumeElements`] among each species.
+        SpeciesVolumeElements = SameSpecies of VolumeElements,
+        /// [`Density`] among each species.
+        SpeciesDensity = SameSpecies of Density,
+        /// [`Gradients`] among each species.
+        SpeciesGradients = SameSpecies of Gradients,
+        /// [`VelocityGradients`] among each species.
+        SpeciesVelocityGradients = SameSpecies of VelocityGradients,
+        /// [`LinearGradients`] among each species.
+        SpeciesLinearGradients = SameSpecies of LinearGradients,
+        /// [`Switch`] among the gas.
+        GasSwitch = GasOnly of Switch,
+        /// [`Momentum`] among the gas.
+        GasMomentum = GasOnly of Momentum,
+        /// [`ReconstructedMomentum`] among the gas.
+        GasReconstructedMomentum = GasOnly of ReconstructedMomentum,
+        /// [`SwitchedMomentum`] among the gas.
+        GasSwitchedMomentum = GasOnly of SwitchedMomentum,
+        /// [`Conduction`] among the gas.
+        GasConduction = GasOnly of Conduction,
+        /// [`DragForces`].
+        DragForces = DragForces,
+        /// [`ReconstructedDragForces`].
+        ReconstructedDragForces = ReconstructedDragForces,
+    }
 }
 
 /// Something that is done with an update whose type is known only here.
@@ -105,8 +146,8 @@ pub const STATE: &[Field] = &[
     fields::MOBILITY,
 ];
 
-/// What updates keep for schemes that need it, beside the [`STATE`]; carried only where a pass reads it.
-pub const SCHEME_STATE: &[Field] = &[fields::REMAINING_ALPHA];
+/// What particles start with or updates keep beside the [`STATE`], for schemes that need it; carried only where a pass reads it.
+pub const SCHEME_STATE: &[Field] = &[fields::REMAINING_ALPHA, fields::SPECIES];
 
 /// The passes of a step, in order.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -119,16 +160,31 @@ impl Pipeline {
     pub fn of_scene<const D: usize>(physics: &Physics) -> Self {
         // Which of the last sweeps it is, is the scheme's choice; all else follows from what they read.
         let viscosity = &physics.viscosity;
-        let forces = match viscosity.dissipation {
-            scheme if scheme.switches() => PassKind::SwitchedMomentum,
-            Dissipation::Av => PassKind::Momentum,
-            _ => PassKind::ReconstructedMomentum,
+        let mixture = physics.drag.is_some();
+        let forces = match (viscosity.dissipation, mixture) {
+            (scheme, false) if scheme.switches() => PassKind::SwitchedMomentum,
+            (scheme, true) if scheme.switches() => PassKind::GasSwitchedMomentum,
+            (Dissipation::Av, false) => PassKind::Momentum,
+            (Dissipation::Av, true) => PassKind::GasMomentum,
+            (_, false) => PassKind::ReconstructedMomentum,
+            (_, true) => PassKind::GasReconstructedMomentum,
         };
         let mut last = vec![forces];
         if viscosity.conduction > 0.0 {
-            last.push(PassKind::Conduction);
+            last.push(if mixture { PassKind::GasConduction } else { PassKind::Conduction });
+        }
+        if let Some(drag) = physics.drag {
+            last.push(if drag.reconstructs() { PassKind::ReconstructedDragForces } else { PassKind::DragForces });
         }
         Self::leading_to_all::<D>(last)
+    }
+
+    /// The passes that give densities and what the smoothing length's update asks for besides.
+    pub fn of_smoothing_lengths<const D: usize>(physics: &Physics) -> Self {
+        Self::leading_to::<D>(match physics.drag {
+            Some(_) => PassKind::SpeciesGradients,
+            None => PassKind::Gradients,
+        })
     }
 
     /// A pass, preceded by those that write what it reads, and so on back to the [`STATE`].
@@ -137,6 +193,7 @@ impl Pipeline {
     }
 
     fn leading_to_all<const D: usize>(mut chosen: Vec<PassKind>) -> Self {
+        let mixture = chosen.iter().any(|pass| pass.is_of_mixture());
         loop {
             // What a pass changes of its own it must have from another.
             let written = |by_other_than: &PassKind, field: &Field| {
@@ -149,8 +206,9 @@ impl Pipeline {
                 wanted
             };
             let writers = |field: Field| {
-                let writes = |p: &&PassKind| !chosen.contains(p) && p.footprint::<D>().out.contains(&field);
-                PassKind::ALL.iter().filter(writes).copied().collect::<Vec<_>>()
+                let fits = |p: &&PassKind| p.is_of_mixture() == mixture && !chosen.contains(p);
+                let writes = |p: &&PassKind| p.footprint::<D>().out.contains(&field);
+                PassKind::ALL.iter().filter(fits).filter(writes).copied().collect::<Vec<_>>()
             };
             // A field with a single writer decides first: that pass may bring the other wanted fields along.
             let wanted = chosen.iter().flat_map(missing);
@@ -171,7 +229,7 @@ impl Pipeline {
 
     /// Whether particles carry a viscosity coefficient that decays between steps.
     pub fn switches(&self) -> bool {
-        self.passes.contains(&PassKind::Switch)
+        self.passes.iter().any(|pass| matches!(pass, PassKind::Switch | PassKind::GasSwitch))
     }
 
     /// The updates that open a step, before particles move and the passes run, in order.
@@ -284,6 +342,42 @@ mod tests {
             Pipeline::leading_to::<1>(Conduction).passes(),
             [VolumeElements, Density, Gradients, Momentum, Conduction]
         );
+    }
+
+    #[test]
+    fn a_mixture_gets_passes_of_its_own_and_a_gas_none_of_them() {
+        use PassKind::*;
+        let gas = crate::scenes::sod::Sod::standard(3).physics();
+        let with = |reconstruction| {
+            let drag = crate::schemes::Drag { reconstruction, ..crate::schemes::Drag::of(1.0) };
+            Physics { drag: Some(drag), ..gas }
+        };
+        let reconstructed = with(crate::schemes::DragReconstruction::RECOMMENDED);
+        let plain = with(crate::schemes::DragReconstruction::NONE);
+        let forces = [SpeciesVolumeElements, SpeciesDensity, SpeciesVelocityGradients];
+        assert_eq!(
+            Pipeline::of_scene::<3>(&reconstructed).passes(),
+            [&forces[..], &[SpeciesLinearGradients, GasReconstructedMomentum, ReconstructedDragForces]].concat()
+        );
+        assert_eq!(
+            Pipeline::of_scene::<3>(&plain).passes(),
+            [&forces[..], &[GasReconstructedMomentum, DragForces]].concat()
+        );
+        // One number more a particle; six more where velocities are reconstructed for drag.
+        let numbers = |physics: &Physics| components(&Pipeline::of_scene::<3>(physics).fields::<3>(), 3).len();
+        assert_eq!(numbers(&plain), numbers(&gas) + 1);
+        assert_eq!(numbers(&reconstructed), numbers(&gas) + 7);
+        for &dissipation in Dissipation::ALL {
+            for drag in [None, plain.drag, reconstructed.drag] {
+                let mut physics = Physics { drag, ..gas };
+                physics.viscosity.dissipation = dissipation;
+                physics.viscosity.conduction = 0.1;
+                let pipeline = Pipeline::of_scene::<3>(&physics);
+                assert!(pipeline.passes().iter().all(|pass| pass.is_of_mixture() == drag.is_some()), "{pipeline:?}");
+                assert_eq!(pipeline.fields::<3>().contains(&fields::SPECIES), drag.is_some());
+                assert_eq!(pipeline.switches(), dissipation.switches());
+            }
+        }
     }
 
     #[test]

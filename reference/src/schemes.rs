@@ -67,7 +67,7 @@ choice! {
 }
 
 mod drag;
-pub use drag::{CommonPoint, DragReconstruction, DragSigns, SlopeLimiter};
+pub use drag::{CommonPoint, Drag, DragReconstruction, DragSigns, SlopeLimiter};
 choice! {
     /// What is a parabola in the driving of turbulence.
     Profile, "driving profile" {

@@ -6,7 +6,7 @@
 use crate::engine::{Engine, EngineError};
 use crate::fields;
 use crate::passes::{KickDrift, Physics};
-use crate::pipeline::{PassKind, Pipeline, UpdateKind, UpdateVisitor};
+use crate::pipeline::{Pipeline, UpdateKind, UpdateVisitor};
 use etalon_kernels_gen::Update;
 
 /// Rounds of the smoothing length's update before the first step. An error shrinks by half in each at a contact, faster elsewhere.
@@ -47,7 +47,7 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
         }
         pipeline.start(&mut engine, physics)?;
         let mut simulation = Simulation { engine, physics, pipeline, time: 0.0, steps: 0, next_step: 0.0 };
-        let density = Pipeline::leading_to::<D>(PassKind::Gradients);
+        let density = Pipeline::of_smoothing_lengths::<D>(&physics);
         for _ in 0..SETTLING_ROUNDS {
             simulation.engine.find_neighbours(physics.kernel.support())?;
             density.run(&mut simulation.engine, physics)?;

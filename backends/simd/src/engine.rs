@@ -75,6 +75,7 @@ impl<T: Number, const D: usize> LaneEngine<T, D> {
         put(fields::SETTLED_SMOOTHING_LENGTH, 0, &|i| particles[i].smoothing_length);
         put(fields::INTERNAL_ENERGY, 0, &|i| particles[i].internal_energy);
         put(fields::MOBILITY, 0, &|i| if particles[i].mobile { 1.0 } else { 0.0 });
+        put(fields::SPECIES, 0, &|i| set.species(i));
         for axis in 0..D {
             put(fields::VELOCITY, axis, &|i| particles[i].velocity[axis]);
         }

@@ -80,6 +80,10 @@ impl<T: Scalar, const D: usize> PlainEngine<T, D> {
         for axis in 0..D {
             put(fields::VELOCITY, axis, &|p| p.velocity[axis]);
         }
+        if set.dust().is_some() {
+            let column = (0..set.len()).map(|i| T::lit(set.species(i))).collect();
+            engine.columns.insert(Component { field: fields::SPECIES, index: 0 }, column);
+        }
         engine
     }
 

@@ -14,7 +14,7 @@ use etalon_kernels_gen::{Matrix, Pass, Real, Scalar, Separation, Symmetric, Vect
 
 /// The trace of the moment matrix in units of `h^2` below which a particle has no neighbours to speak of: one alone, half-way to the
 /// edge, makes 0.1.
-const SMALLEST_SPREAD: f64 = 1e-20;
+pub(super) const SMALLEST_SPREAD: f64 = 1e-20;
 
 /// The inverse moment matrix `c` (C25 1, 2), Omega (C25 24, 31) and the pressure coefficient (C25 22).
 #[derive(Clone, Copy, Debug)]

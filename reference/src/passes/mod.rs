@@ -3,12 +3,18 @@
 //! A step runs [`VolumeElements`], [`Density`], then [`Gradients`] and [`Momentum`]; a scheme that reconstructs velocities takes
 //! [`VelocityGradients`] and [`ReconstructedMomentum`] instead, one with a time-dependent coefficient [`VelocityGradients`], [`Switch`] and
 //! [`SwitchedMomentum`]. [`Conduction`] follows where it is asked for. What each reads and writes is in its records.
+//!
+//! Where there is dust in the gas, each of these runs as [`SameSpecies`] or [`GasOnly`] of itself, and [`DragForces`] follows, or
+//! [`LinearGradients`] and [`ReconstructedDragForces`].
 
 mod conduction;
 mod density;
+mod drag_forces;
 mod gradients;
+mod linear_gradients;
 mod momentum;
 mod sign_reversal;
+mod species;
 mod switch;
 mod switched_momentum;
 mod updates;
@@ -16,15 +22,18 @@ mod volume_elements;
 
 pub use conduction::Conduction;
 pub use density::Density;
+pub use drag_forces::{DragForces, ReconstructedDragForces};
 pub use gradients::{Gradients, VelocityGradients};
+pub use linear_gradients::LinearGradients;
 pub use momentum::{Momentum, ReconstructedMomentum};
 pub use sign_reversal::SignReversal;
+pub use species::{GasOnly, OfSpecies, SameSpecies, is_gas};
 pub use switch::{Decay, Switch};
 pub use switched_momentum::SwitchedMomentum;
 pub use updates::{Correct, KickDrift};
 pub use volume_elements::VolumeElements;
 
-use crate::schemes::{Dissipation, GradH, Kernel, Viscosity};
+use crate::schemes::{Dissipation, Drag, GradH, Kernel, Viscosity};
 
 /// What a scene decides for all its passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,11 +50,13 @@ pub struct Physics {
     pub neighbours: f64,
     /// A constant acceleration of all particles that move, axis by axis; the axes a scene does not have are not looked at.
     pub gravity: [f64; 3],
+    /// Drag between gas and dust; none where there is gas only.
+    pub drag: Option<Drag>,
 }
 
 impl Physics {
     /// What a three-dimensional scene takes where it does not say otherwise: the kernel, scheme and neighbour number of GS25, an adiabatic index
-    /// of 5/3, no gravity.
+    /// of 5/3, no gravity, no dust.
     pub const STANDARD: Self = Physics {
         kernel: Kernel::MixedSinc,
         grad_h: GradH::Corrected,
@@ -53,6 +64,7 @@ impl Physics {
         gamma_minus_one: 2.0 / 3.0,
         neighbours: 100.0,
         gravity: [0.0; 3],
+        drag: None,
     };
 
     /// Whether anything pulls in `dimension` dimensions.

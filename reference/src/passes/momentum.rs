@@ -96,8 +96,8 @@ record! {
 
 /// What the line of centres of a pair looks like.
 pub(super) struct Line<R> {
-    r: R,
-    inverse_r: R,
+    pub(super) r: R,
+    pub(super) inverse_r: R,
     /// The velocity of approach.
     pub(super) omega: R,
 }

@@ -41,7 +41,7 @@ pub fn relax<const D: usize, E: Engine<D>>(
     make: impl FnOnce(&ParticleSet<D>, &Pipeline) -> Result<E, EngineError>,
 ) -> Result<Vec<[f64; D]>, GlassError> {
     // Particles are to be even; what they rest in a gravity of is for the scene.
-    let physics = Physics { gravity: [0.0; 3], ..physics };
+    let physics = Physics { gravity: [0.0; 3], drag: None, ..physics };
     let domain = Domain::new([0.0; D], [1.0; D], [true; D]).map_err(ParticleError::from)?;
     let count = across.pow(D as u32);
     let spacing = 1.0 / across as f64;

@@ -1,5 +1,7 @@
 //! Particles of equal mass filling a tube with two densities.
 
+use crate::schemes::Kernel;
+
 /// A tube along x from 0 to 1, periodic across, with a left and a right density that meet at a given place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tube {
@@ -60,6 +62,14 @@ impl Tube {
         (0..columns).flat_map(|column| (0..per_column).map(move |row| place(column, row))).collect()
     }
 }
+
+/// How deep the fixed layers beyond a tube's end are, with the smoothing length there: more than a support and what a particle at the end moves.
+pub(super) fn wall_depth(kernel: Kernel, h: f64) -> f64 {
+    WALL.max(2.0 * kernel.support()) * h
+}
+
+/// The least depth of fixed layers, in smoothing lengths.
+const WALL: f64 = 4.0;
 
 #[cfg(test)]
 mod tests {

@@ -1,7 +1,11 @@
 //! The problems that are run: initial state, boundaries, physics, end time and what to compare with.
 
+pub mod dustybox;
+pub mod dustyshock;
+pub mod dustywave;
 mod error;
 mod filling;
+mod gas_and_dust;
 mod glass;
 pub mod gresho_chan;
 mod lattice;
@@ -17,6 +21,7 @@ mod view;
 
 pub use error::SceneError;
 pub use filling::{Block, Filling};
+pub use gas_and_dust::DustySceneError;
 pub use glass::{GlassError, relax};
 pub use lattice::Tube;
 pub use measures::Compared;

@@ -58,3 +58,30 @@ impl DragReconstruction {
     /// No reconstruction at all.
     pub const NONE: Self = DragReconstruction { point: CommonPoint::Particles, limiter: SlopeLimiter::Unlimited };
 }
+
+/// Drag between gas and dust, as a scene chooses it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drag {
+    /// The drag coefficient `K` (M L^-nu T^-1), the same everywhere; zero for two species that do not feel each other.
+    pub coefficient: f64,
+    /// Which signs drag has.
+    pub signs: DragSigns,
+    /// How the velocities of a pair are reconstructed.
+    pub reconstruction: DragReconstruction,
+    /// Whether the raw velocity difference is taken where the reconstructed one would cool the gas (PL20 section 2.5).
+    pub entropy_fix: bool,
+}
+
+impl Drag {
+    /// Drag with this coefficient as PL20 recommends it: reconstructed at the barycentre with the monotonized central limiter, without the entropy
+    /// fix, which the paper found more dissipative.
+    pub const fn of(coefficient: f64) -> Self {
+        let reconstruction = DragReconstruction::RECOMMENDED;
+        Drag { coefficient, signs: DragSigns::Physical, reconstruction, entropy_fix: false }
+    }
+
+    /// Whether velocity gradients are needed.
+    pub fn reconstructs(&self) -> bool {
+        self.reconstruction.point != CommonPoint::Particles
+    }
+}

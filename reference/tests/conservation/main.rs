@@ -16,10 +16,12 @@ mod torque;
 mod totals;
 
 use etalon_reference::engine::{Engine, PlainEngine};
-use etalon_reference::particles::ParticleSet;
+use etalon_reference::particles::{Particle, ParticleSet};
 use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
-use etalon_reference::schemes::{Dissipation, GradH, Kernel, Viscosity};
+use etalon_reference::schemes::{
+    CommonPoint, Dissipation, Drag, DragReconstruction, GradH, Kernel, SlopeLimiter, Viscosity,
+};
 
 /// A scene's physics with the mixed sinc kernel.
 fn physics(dissipation: Dissipation, grad_h: GradH) -> Physics {
@@ -38,6 +40,41 @@ fn physics(dissipation: Dissipation, grad_h: GradH) -> Physics {
 fn all_physics() -> impl Iterator<Item = Physics> {
     let forms = [GradH::Exact, GradH::Corrected];
     Dissipation::ALL.iter().flat_map(move |&dissipation| forms.map(|form| physics(dissipation, form)))
+}
+
+/// Drag without reconstruction, with the recommended one, and with the one that asks most questions.
+fn mixtures() -> [Option<Drag>; 3] {
+    let plain = Drag { reconstruction: DragReconstruction::NONE, ..Drag::of(2.0) };
+    let printed = DragReconstruction { point: CommonPoint::AsPrinted, limiter: SlopeLimiter::Superbee };
+    [plain, Drag::of(2.0), Drag { reconstruction: printed, entropy_fix: true, ..Drag::of(2.0) }].map(Some)
+}
+
+/// The usual scheme with each of them.
+fn all_mixtures() -> impl Iterator<Item = Physics> {
+    mixtures().into_iter().map(|drag| Physics { drag, ..physics(Dissipation::AvSlrB2, GradH::Corrected) })
+}
+
+/// A cloud of gas, or of gas and, where physics has drag, dust: every third particle.
+fn cloud_for<const D: usize>(physics: &Physics, seed: u64) -> ParticleSet<D> {
+    let set = cloud::Recipe::unequal::<D>(seed).particles::<D>(true);
+    if physics.drag.is_none() {
+        return set;
+    }
+    let dust: Vec<bool> = (0..set.len()).map(|i| i % 3 == 0).collect();
+    let cold = |(p, dust): (&Particle<D>, &bool)| match dust {
+        true => Particle { internal_energy: 0.0, ..*p },
+        false => *p,
+    };
+    let particles = set.particles().iter().zip(&dust).map(cold).collect();
+    ParticleSet::new(*set.domain(), particles).unwrap().with_dust(dust).unwrap()
+}
+
+/// Changed particles, of the same species as before.
+fn with_species_of<const D: usize>(before: &ParticleSet<D>, changed: ParticleSet<D>) -> ParticleSet<D> {
+    match before.dust() {
+        Some(dust) => changed.with_dust(dust.to_vec()).unwrap(),
+        None => changed,
+    }
 }
 
 /// The reference engine after one round of all passes.

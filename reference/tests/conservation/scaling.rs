@@ -2,7 +2,7 @@
 //! bit, as each field's own unit says.
 
 use crate::cloud::Recipe;
-use crate::{all_physics, physics, run_on};
+use crate::{all_physics, cloud_for, mixtures, physics, run_on, with_species_of};
 use etalon_kernels_gen::{Component, components};
 use etalon_reference::domain::Domain;
 use etalon_reference::engine::{Engine, PlainEngine};
@@ -77,7 +77,7 @@ fn scaled<const D: usize>(set: &ParticleSet<D>, units: Units) -> ParticleSet<D> 
         internal_energy: p.internal_energy * velocity * velocity,
         mobile: p.mobile,
     });
-    ParticleSet::new(domain, particles.collect()).unwrap()
+    with_species_of(set, ParticleSet::new(domain, particles.collect()).unwrap())
 }
 
 /// Every field of one round of passes.
@@ -85,15 +85,18 @@ fn scaled<const D: usize>(set: &ParticleSet<D>, units: Units) -> ParticleSet<D> 
 /// Sums, products, quotients and square roots of even powers scale exactly; polynomials, roots and thresholds only
 /// ever meet numbers without a unit.
 fn all_fields_scale<E: Engine<D>, const D: usize>(make: impl Fn(&ParticleSet<D>) -> E, physics: Physics, units: Units) {
-    let set = Recipe::unequal::<D>(31).particles::<D>(true);
+    let set = cloud_for::<D>(&physics, 31);
     let run = |set: &ParticleSet<D>, physics: Physics| {
         let mut engine = make(set);
         run_on(&mut engine, physics);
         engine
     };
-    // The one number of a scheme that has a unit.
+    // The numbers of a scheme that have a unit.
     let mut in_units = physics;
     in_units.viscosity.wave_period *= 2_f64.powi(units.of("T", D as i32));
+    if let Some(drag) = &mut in_units.drag {
+        drag.coefficient *= 2_f64.powi(units.of("M L^-nu T^-1", D as i32));
+    }
     let (mut before, mut after) = (run(&set, physics), run(&scaled(&set, units), in_units));
     let mut compared = 0;
     for component in components(&Pipeline::of_scene::<D>(&physics).fields::<D>(), D) {
@@ -148,6 +151,17 @@ fn passes_scale_exactly() {
         let physics = Physics { viscosity: conducting, ..physics(Dissipation::AvSw, GradH::Corrected) };
         all_fields_scale(PlainEngine::<f64, 2>::new, physics, units);
         all_fields_scale(PlainEngine::<f32, 3>::new, physics, units);
+    }
+    for drag in mixtures() {
+        let physics = Physics { drag, ..physics(Dissipation::AvSlrB2, GradH::Corrected) };
+        for units in ALL_UNITS {
+            all_fields_scale(PlainEngine::<f64, 1>::new, physics, units);
+            all_fields_scale(PlainEngine::<f64, 2>::new, physics, units);
+        }
+        all_fields_scale(PlainEngine::<f32, 3>::new, physics, ALL_UNITS[3]);
+        for length in [-16, 16] {
+            all_fields_scale(PlainEngine::<f32, 3>::new, physics, Units { length, velocity: 0, mass: 3 * length });
+        }
     }
     // As far as double precision goes in astronomers' units.
     let far = Units { length: 60, velocity: 20, mass: 110 };

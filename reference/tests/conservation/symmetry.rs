@@ -3,7 +3,7 @@
 use crate::check::{UNIT, assert_close, gamma};
 use crate::cloud::Recipe;
 use crate::pairs::Pairs;
-use crate::{all_physics, physics, run};
+use crate::{all_mixtures, all_physics, cloud_for, physics, run, with_species_of};
 use etalon_kernels_gen::{Component, Rank, components};
 use etalon_reference::engine::{Engine, PlainEngine};
 use etalon_reference::fields;
@@ -16,7 +16,8 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 fn changed<const D: usize>(set: &ParticleSet<D>, change: impl Fn(&Particle<D>) -> Particle<D>) -> ParticleSet<D> {
-    ParticleSet::new(*set.domain(), set.particles().iter().map(change).collect()).unwrap()
+    let particles = set.particles().iter().map(change).collect();
+    with_species_of(set, ParticleSet::new(*set.domain(), particles).unwrap())
 }
 
 /// Every component that a round of passes leaves behind.
@@ -32,7 +33,7 @@ fn everything<const D: usize>(set: &ParticleSet<D>, physics: Physics) -> Vec<(Co
 #[test]
 fn translation_changes_not_a_bit() {
     fn check<const D: usize>(physics: Physics) {
-        let set = Recipe::unequal::<D>(41).particles::<D>(true);
+        let set = cloud_for::<D>(&physics, 41);
         // Multiples of 2^-32, the grid of positions.
         let shift = [0.343_75, 0.811_035_156_25, 1.0 - 1.0 / 4_294_967_296.0];
         let moved = changed(&set, |p| Particle {
@@ -42,7 +43,7 @@ fn translation_changes_not_a_bit() {
         assert_ne!(set.coordinates(0), moved.coordinates(0));
         assert!(everything(&set, physics) == everything(&moved, physics), "{D}-D, {physics:?}");
     }
-    for physics in all_physics() {
+    for physics in all_physics().chain(all_mixtures()) {
         check::<1>(physics);
         check::<2>(physics);
         check::<3>(physics);
@@ -75,7 +76,7 @@ fn translation_changes_no_step() {
 #[test]
 fn a_mirror_changes_signs_only() {
     fn check<const D: usize>(physics: Physics, mirror: usize) {
-        let set = Recipe::unequal::<D>(47).particles::<D>(true);
+        let set = cloud_for::<D>(&physics, 47);
         let flip =
             |v: [f64; D], f: &dyn Fn(f64) -> f64| std::array::from_fn(|i| if i == mirror { f(v[i]) } else { v[i] });
         let mirrored = changed(&set, |p| Particle {
@@ -101,7 +102,7 @@ fn a_mirror_changes_signs_only() {
             assert_eq!(after, due, "{} in {D}-D, mirror {mirror}, {physics:?}", component.name(D));
         }
     }
-    for physics in all_physics() {
+    for physics in all_physics().chain(all_mixtures()) {
         check::<1>(physics, 0);
         for mirror in 0..2 {
             check::<2>(physics, mirror);
