@@ -140,7 +140,7 @@ fn goals_rank() {
 fn the_membrane_has_its_coefficients() {
     let settings = MembraneSettings::load().unwrap();
     assert_eq!(settings.iter().map(|setting| setting.name).collect::<Vec<_>>(), MembraneVariant::ALL);
-    let found: Vec<([f64; 2], Option<(Factor, u8)>)> = settings
+    let found: Vec<_> = settings
         .iter()
         .map(|setting| {
             (setting.linear_coefficient, setting.modulation.map(|modulation| (modulation.factor, modulation.power)))
