@@ -1,7 +1,7 @@
 //! The published tables: what stands in them, and that broken ones are refused.
 
 use etalon_spec::tables::{
-    Better, LinearCoefficient, MetricKey, PerAxis, Results, Scheme, SchemeName, Schemes, Setups, TableError, Test,
+    LinearCoefficient, MetricKey, PerAxis, Results, Scheme, SchemeName, Schemes, Setups, TableError, Test,
 };
 
 fn good<T>(loaded: Result<T, TableError>) -> T {
@@ -82,11 +82,7 @@ fn the_best_of_each_column() {
         (MetricKey::TurbulenceBottleneckWavenumber, SchemeName::Avswslr),
     ] {
         let metric = results.metric(key);
-        let badness = |scheme: SchemeName| match (metric.better, results.printed(scheme, key)) {
-            (Better::Lower, value) => value,
-            (Better::Higher, value) => -value,
-            (Better::CloserTo, value) => (value - metric.target.unwrap_or(f64::NAN)).abs(),
-        };
+        let badness = |scheme: SchemeName| metric.goal().badness(results.value(scheme, key));
         // Of equals the first: the vortex has three schemes of the same error, and the paper sees no difference.
         let found = SchemeName::ALL.into_iter().min_by(|one, other| badness(*one).total_cmp(&badness(*other)));
         assert_eq!(found, Some(best), "{key:?}");

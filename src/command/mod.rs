@@ -12,6 +12,8 @@ mod failure;
 mod machine;
 mod memory;
 mod pages;
+mod pareto;
+mod reproduce;
 mod run;
 mod scene_file;
 mod scenes;
@@ -47,8 +49,8 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Audit(arguments) => audit::audit(&arguments),
         Command::Show(arguments) => show::show(&arguments).map(Done::passed),
         Command::Pages(arguments) => pages::pages(&arguments),
-        Command::Pareto(_) => Err(Failure::Broken(String::new())),
-        Command::Reproduce(_) => Err(Failure::Broken(String::new())),
+        Command::Pareto(arguments) => pareto::pareto(&arguments),
+        Command::Reproduce(arguments) => reproduce::reproduce(&arguments),
     };
     finished(done)
 }

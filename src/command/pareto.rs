@@ -286,7 +286,11 @@ impl<'a> Study<'a> {
                 if self.front.contains(&index) { "*".into() } else { String::new() },
             ]);
         }
-        let rest = if left > 0 { format!("{left} runs are left; the same command goes on with them.\n") } else { String::new() };
+        let rest = if left > 0 {
+            format!("{left} runs are left; the same command goes on with them.\n")
+        } else {
+            String::new()
+        };
         format!("{}\n{}{rest}\nFront: {}\n", self.title, columns(&rows), folder.join("pareto.svg").display())
     }
 }

@@ -1,17 +1,35 @@
-//! Tables published in the papers, as data: the schemes, set-ups and results of GS25.
+//! What the papers publish, as data: schemes, set-ups and results of GS25; results of PL20 and C25.
+//!
+//! Tables with a form of their own have a type of their own: [`Schemes`], [`Setups`], [`Results`], [`MembraneSettings`].
+//! [`published()`] hands out every number in one form.
 
+mod catalogue;
+mod membrane;
+mod numbers;
+mod place;
+mod quantity;
 mod results;
+mod scene;
 mod schemes;
 mod setups;
+mod variant;
 
-pub use results::{Better, Metric, MetricKey, Results};
+pub use catalogue::{Published, parse_published, published};
+pub use membrane::{Factor, MembraneSetting, MembraneSettings, MembraneVariant, Modulation};
+pub use numbers::Says;
+pub use place::Place;
+pub use quantity::{Better, Goal, Quantity};
+pub use results::{Metric, MetricKey, Results};
+pub use scene::Scene;
 pub use schemes::{LinearCoefficient, Scheme, SchemeName, Schemes};
 pub use setups::{PerAxis, Setup, Setups, Test};
+pub use variant::{DragScheme, GradHForm, Rung, Variant};
 
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use thiserror::Error;
 
+use crate::paper::Paper;
 use crate::text::{ReadError, parse_table, typed};
 
 /// A fault in a file of tables. Each message names the file, the row, the field and what to do.
@@ -27,11 +45,23 @@ pub enum TableError {
         /// What is wrong, with the name of the key.
         message: String,
     },
-    /// The file is not the table it is kept for.
-    #[error("{file}, fields `paper` and `table`: they say {found}; they must say {expected}")]
+    /// Nothing is kept of that place.
+    #[error(
+        "no numbers are kept of {paper}, {place}, in the common form; `published()` lists the places that have some"
+    )]
+    UnknownPlace {
+        /// The paper.
+        paper: Paper,
+        /// The place.
+        place: Place,
+    },
+    /// The file is not the one of the place it is kept for.
+    #[error("{file}, fields `paper` and `{key}`: they say {found}; they must say {expected}")]
     WrongTable {
         /// The file.
         file: String,
+        /// The field that numbers the place.
+        key: &'static str,
         /// What they must say.
         expected: String,
         /// What they say.
@@ -69,14 +99,14 @@ pub enum TableError {
     },
 }
 
-/// Reads a file of tables, checks that it is `table` of GS25, and gives the rows their type.
+/// Reads a file of tables, checks that it is that `place` of the `paper`, and gives the rows their type.
 ///
-/// `paper`, `table` and `about` stand at the head of every such file; they must be there and are left out of the rows.
-fn read<T: DeserializeOwned>(file: &str, table: u16, text: &str) -> Result<T, TableError> {
+/// `paper`, the place (`table`, `figure` or `equation`) and `about` stand at the head of every such file; they must be
+/// there and are left out of the rows.
+fn read<T: DeserializeOwned>(file: &str, paper: Paper, place: Place, text: &str) -> Result<T, TableError> {
     #[derive(Deserialize)]
     struct Head {
         paper: String,
-        table: u16,
         #[serde(rename = "about")]
         _about: String,
     }
@@ -87,19 +117,17 @@ fn read<T: DeserializeOwned>(file: &str, table: u16, text: &str) -> Result<T, Ta
     };
     let mut rows = parse_table(text).map_err(shape)?;
     let head: Head = typed(toml::Value::Table(rows.clone())).map_err(shape)?;
-    if (head.paper.as_str(), head.table) != ("gs25", table) {
-        return Err(TableError::WrongTable {
-            file: file.to_owned(),
-            expected: format!("gs25, {table}"),
-            found: format!("{}, {}", head.paper, head.table),
-        });
+    let number = rows.get(place.key()).map_or_else(|| "nothing".to_owned(), toml::Value::to_string);
+    let (found, expected) = (format!("{}, {number}", head.paper), format!("{paper}, {}", place.number()));
+    if found != expected {
+        return Err(TableError::WrongTable { file: file.to_owned(), key: place.key(), expected, found });
     }
-    rows.retain(|key, _| !["paper", "table", "about"].contains(&key));
+    rows.retain(|key, _| !["paper", place.key(), "about"].contains(&key));
     typed(toml::Value::Table(rows)).map_err(shape)
 }
 
 /// `load` and `parse` for a table of GS25: its number, its file, and the function that checks the rows once they have their type.
-macro_rules! published {
+macro_rules! loaded {
     ($type:ident, $number:literal, $file:literal, $checked:path) => {
         impl $type {
             /// The table built into this crate.
@@ -115,12 +143,20 @@ macro_rules! published {
             /// # Errors
             /// [`TableError`] for the first fault found.
             pub fn parse(file: &str, text: &str) -> Result<Self, TableError> {
-                $checked(file, $crate::tables::read(file, $number, text)?)
+                $checked(
+                    file,
+                    $crate::tables::read(
+                        file,
+                        $crate::paper::Paper::Gs25,
+                        $crate::tables::Place::Table($number),
+                        text,
+                    )?,
+                )
             }
         }
     };
 }
-use published;
+use loaded;
 
 /// Checks that the rows carry the `expected` names, each once and in order.
 fn rows_in_order<T: Copy + PartialEq + std::fmt::Debug>(

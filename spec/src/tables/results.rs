@@ -2,10 +2,10 @@
 
 use serde::Deserialize;
 
+use super::quantity::Quantity;
 use super::schemes::SchemeName;
 use super::setups::Test;
-use super::{TableError, domain, published, rows_in_order};
-use crate::text::one_line;
+use super::{TableError, domain, loaded, rows_in_order};
 
 /// A column of Table 7, in the paper's order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
@@ -41,39 +41,25 @@ impl MetricKey {
         Self::WindCloudDestructionRate,
         Self::TurbulenceBottleneckWavenumber,
     ];
-}
 
-/// Which of two values of a metric is the better one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Better {
-    /// The lower value.
-    Lower,
-    /// The higher value.
-    Higher,
-    /// The one closer to the metric's target.
-    CloserTo,
+    /// The key as the file of the table writes it.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::ShockTubeVelocityL1 => "shock_tube_velocity_l1",
+            Self::SedovLargestDensity => "sedov_largest_density",
+            Self::SedovRadialVelocityL1 => "sedov_radial_velocity_l1",
+            Self::VortexAzimuthalVelocityL1 => "vortex_azimuthal_velocity_l1",
+            Self::KelvinHelmholtzAmplitude => "kelvin_helmholtz_amplitude",
+            Self::RayleighTaylorKineticEnergy => "rayleigh_taylor_kinetic_energy",
+            Self::WindCloudDestructionRate => "wind_cloud_destruction_rate",
+            Self::TurbulenceBottleneckWavenumber => "turbulence_bottleneck_wavenumber",
+        }
+    }
 }
 
 /// What a column of Table 7 measures.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Metric {
-    /// The column.
-    pub key: MetricKey,
-    /// The test it belongs to.
-    pub test: Test,
-    /// What is measured, in plain words.
-    pub meaning: String,
-    /// The printed values are to be multiplied by ten to this power.
-    pub power_of_ten: i8,
-    /// Which value is better.
-    pub better: Better,
-    /// The value aimed at, in the scale of the printed values; present with [`Better::CloserTo`] only.
-    pub target: Option<f64>,
-    /// What to beware of when comparing with these values.
-    pub caveat: Option<String>,
-}
+pub type Metric = Quantity<MetricKey, Test>;
 
 /// GS25, Table 7: eight metrics for each of the seven schemes.
 #[derive(Clone, Debug, PartialEq)]
@@ -118,7 +104,7 @@ struct File {
     result: Vec<Row>,
 }
 
-published!(Results, 7, "gs25_table7.toml", Results::checked);
+loaded!(Results, 7, "gs25_table7.toml", Results::checked);
 
 impl Results {
     /// Checks the rows.
@@ -128,22 +114,7 @@ impl Results {
         let schemes: Vec<SchemeName> = rows.iter().map(|row| row.scheme).collect();
         rows_in_order(file, "scheme", &schemes, &SchemeName::ALL)?;
         for metric in &mut metrics {
-            metric.meaning = one_line(&metric.meaning);
-            metric.caveat = metric.caveat.as_deref().map(one_line);
-            let power = metric.power_of_ten;
-            // Ten to the power 22 is the last one that double precision holds exactly; see `value`.
-            let exact = (-22..=0).contains(&power);
-            domain(file, &metric.key, "power_of_ten", power.into(), exact, "between -22 and 0")?;
-            let aims = metric.better == Better::CloserTo;
-            let target = metric.target.unwrap_or(f64::NAN);
-            domain(
-                file,
-                &metric.key,
-                "target",
-                target,
-                target.is_finite() == aims,
-                "given just where better = \"closer-to\"",
-            )?;
+            metric.checked(file)?;
         }
         for row in &rows {
             for key in MetricKey::ALL {
@@ -182,8 +153,6 @@ impl Results {
     /// The value itself: the printed one times ten to the metric's power.
     #[must_use]
     pub fn value(&self, scheme: SchemeName, key: MetricKey) -> f64 {
-        let power = i32::from(self.metric(key).power_of_ten);
-        // The inverse of the power is exact, so dividing rounds once where multiplying would round twice.
-        self.printed(scheme, key) / 10_f64.powi(-power)
+        self.metric(key).scaled(self.printed(scheme, key))
     }
 }

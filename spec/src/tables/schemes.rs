@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Deserialize;
 
-use super::{TableError, domain, published, rows_in_order};
+use super::{TableError, domain, loaded, rows_in_order};
 
 /// The name of a dissipation scheme of GS25, Table 1, in the paper's order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
@@ -111,7 +111,7 @@ struct File {
     scheme: Vec<Scheme>,
 }
 
-published!(Schemes, 1, "gs25_table1.toml", Schemes::checked);
+loaded!(Schemes, 1, "gs25_table1.toml", Schemes::checked);
 
 impl Schemes {
     /// Checks the rows.

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use super::{TableError, domain, published, rows_in_order};
+use super::{TableError, domain, loaded, rows_in_order};
 
 /// A test of GS25, in the paper's order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
@@ -78,7 +78,7 @@ struct File {
     setup: Vec<Setup>,
 }
 
-published!(Setups, 2, "gs25_table2.toml", Setups::checked);
+loaded!(Setups, 2, "gs25_table2.toml", Setups::checked);
 
 impl Setups {
     /// Checks the rows.

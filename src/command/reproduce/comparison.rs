@@ -101,7 +101,8 @@ impl<'a> Comparison<'a> {
         let map = HeatMap {
             file: "heat_map.svg".into(),
             title: "Schemes against quantities".into(),
-            caption: "Relative difference to the best scheme of each column; published on the left, ours on the right.".into(),
+            caption: "Relative difference to the best scheme of each column; published on the left, ours on the right."
+                .into(),
             rows: rows.iter().map(ToString::to_string).collect(),
             columns: self
                 .quantities
@@ -195,7 +196,8 @@ impl Quantity<'_> {
 
 /// The rank of each value that there is, 1 for the best; equal values share the better rank.
 fn ranks(goal: Goal, values: &[Option<f64>]) -> Vec<Option<usize>> {
-    let badness: Vec<Option<f64>> = values.iter().map(|v| v.filter(|v| v.is_finite()).map(|v| goal.badness(v))).collect();
+    let badness: Vec<Option<f64>> =
+        values.iter().map(|v| v.filter(|v| v.is_finite()).map(|v| goal.badness(v))).collect();
     let rank = |own: f64| 1 + badness.iter().flatten().filter(|other| **other < own).count();
     badness.iter().map(|own| own.map(rank)).collect()
 }

@@ -30,15 +30,13 @@ pub struct Reading {
 }
 
 /// All that can be set beside each other.
-pub const READINGS: &[Reading] = &[
-    Reading {
-        quantity: "shock_tube_velocity_l1",
-        scene: Name::Sod,
-        read: Read::Error("velocity_x"),
-        depth: 1.0,
-        note: "from a sharp start; the printed start cannot reach the printed figures (docs/sod.md)",
-    },
-];
+pub const READINGS: &[Reading] = &[Reading {
+    quantity: "shock_tube_velocity_l1",
+    scene: Name::Sod,
+    read: Read::Error("velocity_x"),
+    depth: 1.0,
+    note: "from a sharp start; the printed start cannot reach the printed figures (docs/sod.md)",
+}];
 
 impl Reading {
     /// Ours, from a run; none if it did not measure it.

@@ -28,9 +28,9 @@ pub fn wanted(arguments: &ReproduceArguments, all: &[Published]) -> Result<Vec<R
         if !arguments.scenes.is_empty() && !arguments.scenes.iter().any(chosen) {
             continue;
         }
-        let known = runs.iter_mut().find(|run| {
-            run.job.setup.problem.name() == reading.scene && run.variant == published.scheme
-        });
+        let known = runs
+            .iter_mut()
+            .find(|run| run.job.setup.problem.name() == reading.scene && run.variant == published.scheme);
         match known {
             Some(run) if run.readings.iter().any(|r| r.quantity == reading.quantity) => {}
             Some(run) => run.readings.push(reading),
@@ -42,7 +42,9 @@ pub fn wanted(arguments: &ReproduceArguments, all: &[Published]) -> Result<Vec<R
         }
     }
     match runs.is_empty() {
-        true => Err(Failure::BadInput("no published number belongs to these scenes; leave the names out for all".into())),
+        true => {
+            Err(Failure::BadInput("no published number belongs to these scenes; leave the names out for all".into()))
+        }
         false => Ok(runs),
     }
 }
@@ -56,18 +58,14 @@ fn job(arguments: &ReproduceArguments, reading: &Reading, variant: Variant) -> R
     let plane = name.dimensions().iter().copied().find(|d| *d < 3).filter(|_| !name.dimensions().contains(&1));
     let one = name.dimensions().contains(&1).then_some(1);
     let small = arguments.dim.or(plane).or(one).unwrap_or(usual);
-    let dimension = if arguments.paper_resolution { name.dimensions().iter().copied().max().unwrap_or(usual) } else { small };
+    let dimension =
+        if arguments.paper_resolution { name.dimensions().iter().copied().max().unwrap_or(usual) } else { small };
     let standard = name.standard(dimension)?;
     let particles = match arguments.paper_resolution {
         true => of_paper(reading)?.unwrap_or(standard.method().particles),
         false => ((standard.method().particles as f64 * arguments.size) as usize).max(1),
     };
-    let base = SceneArguments {
-        scene: name.to_string(),
-        dim: Some(dimension),
-        n: Some(particles),
-        ..choices
-    };
+    let base = SceneArguments { scene: name.to_string(), dim: Some(dimension), n: Some(particles), ..choices };
     let precision = match (arguments.backend, arguments.precision) {
         (Backend::Wgpu, Precision::Double) => {
             return Err(Failure::BadInput(
@@ -100,6 +98,7 @@ fn choices(variant: Variant) -> Option<SceneArguments> {
 /// The paper's particle number; none where it does not say.
 fn of_paper(reading: &Reading) -> Result<Option<usize>, Failure> {
     let setups = Setups::load().map_err(|error| Failure::Broken(format!("GS25 Table 2: {error}")))?;
-    let test = Test::ALL.into_iter().find(|test| etalon_spec::tables::Scene::from(*test).as_str() == reading.scene.name());
+    let test =
+        Test::ALL.into_iter().find(|test| etalon_spec::tables::Scene::from(*test).as_str() == reading.scene.name());
     Ok(test.map(|test| (setups.get(test).particles_in_millions * 1e6) as usize))
 }

@@ -10,6 +10,7 @@
 
 mod errors;
 mod parts;
+mod series;
 mod setting;
 mod speed;
 mod summary;
@@ -29,6 +30,7 @@ pub fn page(report: &Report, plots: &[Plot], files: &[&str]) -> String {
     let sections = [
         summary::table(report),
         errors::accuracy(report, plots),
+        series::measured(report, plots),
         errors::sources(report, plots),
         errors::conservation(report),
         speed::section(report, plots),

@@ -7,20 +7,48 @@
 //! | `sources.rs` | the three sources of error of each run on one axis |
 //! | `time.rs` | time a particle update |
 //! | `trade.rs` | speed against error |
-//! | `canvas.rs`, `axis.rs`, `rows.rs`, `theme.rs` | what they share |
+//! | `heat.rs`, `difference.rs` | schemes by tests, coloured by the distance from the best |
+//! | `pareto.rs`, `front.rs`, `labels.rs` | error against cost, and the front of what nothing beats in both |
+//! | `series.rs`, `quantities.rs` | a quantity over time for several runs; those of a report |
+//! | `map.rs`, `sample.rs`, `raster.rs` | a picture of a field in the plane |
+//! | `canvas.rs`, `axis.rs`, `decades.rs`, `rows.rs`, `theme.rs`, `palette.rs`, `refuse.rs` | what they share |
 
 mod axis;
 mod canvas;
+mod decades;
+mod difference;
 mod error;
+mod front;
+mod heat;
+mod labels;
+mod map;
+mod palette;
+mod pareto;
 mod profile;
+mod quantities;
+mod raster;
+mod refuse;
 mod rows;
+mod sample;
+mod series;
 mod sources;
+#[cfg(test)]
+mod studies;
 pub(super) mod theme;
 mod time;
 mod trade;
 
+pub use difference::relative_differences;
+pub use front::pareto_front;
+pub use heat::{CellText, HeatColumn, HeatMap, HeatMatrix, heat_map};
+pub use map::{FieldMap, field_map};
+pub use pareto::{Pareto, ParetoPoint, pareto};
+pub use sample::{Window, nearest, smoothed};
+pub use series::{Series, SeriesLine, SeriesTarget, series};
+
 pub(super) use canvas::key_label;
 pub(super) use profile::capital;
+pub(super) use quantities::file as series_file;
 
 use super::{Report, ReportError};
 
@@ -58,6 +86,7 @@ pub fn plots(report: &Report) -> Result<Vec<Plot>, ReportError> {
     for field in &report.fields {
         plots.extend(profile::draw(report, field)?);
     }
+    plots.extend(quantities::draw(report)?);
     plots.extend(error::draw(report)?);
     plots.extend(sources::draw(report)?);
     plots.extend(time::draw(report)?);

@@ -1,19 +1,15 @@
 //! Speed against error.
 
-use plotters::coord::ranged1d::Ranged;
-use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
+use super::super::ReportError;
 use super::super::model::Report;
-use super::super::{ReportError, number};
 use super::Plot;
 use super::axis::Decades;
-use super::canvas::{HEIGHT, Key, LABEL, Mark, WIDTH, head, key_label, mark, sheet, text, width_of, write};
+use super::canvas::{HEIGHT, Key, LABEL, Mark, head, key_label, mark, sheet, text, width_of, write};
+use super::decades::{FOOT, Frame, LEFT, RIGHT};
 use super::sources::relative_key_error;
-use super::theme::{self, AXIS, GRID, INK, QUIET};
-
-/// The frame of the chart: left, right, bottom.
-const FRAME: (i32, i32, i32) = (104, WIDTH as i32 - 24, HEIGHT as i32 - 96);
+use super::theme::{self, INK};
 
 /// Each run at its time a particle update, once with its error against the exact solution, once with its difference
 /// to the reference. `None` if nothing ran.
@@ -44,34 +40,20 @@ pub(super) fn draw(report: &Report) -> Result<Option<Plot>, ReportError> {
 
     sheet("speed_and_error.svg", title, caption, HEIGHT, |area| {
         let top = head(area, title, &keys)?;
-        let (left, right, bottom) = FRAME;
-        for value in across.key_points(8) {
-            let x = across.map(&value, (left, right));
-            area.draw(&PathElement::new([(x, top), (x, bottom)], GRID.light.stroke_width(2)))?;
-            let tick = number::power_of_ten(value.log10().round() as i32);
-            write(area, &tick, (x, bottom + 24), &text(LABEL, QUIET, HPos::Center))?;
-        }
-        for value in up.key_points(8) {
-            let y = up.map(&value, (bottom, top));
-            area.draw(&PathElement::new([(left, y), (right, y)], GRID.light.stroke_width(2)))?;
-            let tick = number::power_of_ten(value.log10().round() as i32);
-            write(area, &tick, (left - 12, y), &text(LABEL, QUIET, HPos::Right))?;
-        }
-        area.draw(&PathElement::new([(left, top), (left, bottom), (right, bottom)], AXIS.light))?;
-        let x_label = "time [ns per particle update]";
-        write(area, x_label, ((left + right) / 2, bottom + 64), &text(LABEL, INK, HPos::Center))?;
+        let frame = Frame { top, bottom: HEIGHT as i32 - FOOT, across: &across, up: &up };
+        frame.draw(area, "time [ns per particle update]")?;
         for (index, label, time, error, difference) in &runs {
-            let x = across.map(time, (left, right));
             if let Some(error) = error {
-                mark(area, Mark::Diamond(12), (x, up.map(error, (bottom, top))), theme::run(*index))?;
+                mark(area, Mark::Diamond(12), frame.at((*time, *error)), theme::run(*index))?;
             }
             if let Some(difference) = difference {
-                mark(area, Mark::Disc(11), (x, up.map(difference, (bottom, top))), theme::run(*index))?;
+                mark(area, Mark::Disc(11), frame.at((*time, *difference)), theme::run(*index))?;
             }
             // The name stands under the lower mark, within the frame.
             let Some(lower) = difference.or(*error) else { continue };
             let half = width_of(label, LABEL) / 2;
-            let under = (x.clamp(left + half, right - half), up.map(&lower, (bottom, top)) + 32);
+            let (x, y) = frame.at((*time, lower));
+            let under = (x.clamp(LEFT + half, RIGHT - half), y + 32);
             write(area, label, under, &text(LABEL, INK, HPos::Center))?;
         }
         Ok(())
