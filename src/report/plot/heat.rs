@@ -234,12 +234,13 @@ fn hatched(area: &Area, [(left, top), (right, bottom)]: [(i32, i32); 2]) -> Draw
 
 /// The scale of colours with its ends, and what hatching means.
 fn draw_scale(area: &Area, top: i32) -> Drawn {
-    let (left, right) = (LEFT, 420);
+    let (left, right) = (LEFT, 500);
     let steps = 64;
     for step in 0..steps {
         let column = |step: i32| left + (right - left) * step / steps;
         let colour = viridis(1.0 - (f64::from(step) + 0.5) / f64::from(steps));
-        area.draw(&Rectangle::new([(column(step), top), (column(step + 1), top + 24)], colour.filled()))?;
+        // Each goes on to the end, under the next: no seam shows.
+        area.draw(&Rectangle::new([(column(step), top), (right, top + 24)], colour.filled()))?;
     }
     for (part, label, anchor) in [(0, "best", HPos::Left), (1, "50 %", HPos::Center), (2, "100 % or more", HPos::Right)]
     {

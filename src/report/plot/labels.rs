@@ -5,7 +5,7 @@ use super::canvas::{LABEL, width_of};
 /// Height of a label.
 const HEIGHT: i32 = LABEL + 4;
 /// Distances of a label from its point, the nearest first; from the second on a line leads to it.
-const DISTANCES: [i32; 4] = [18, 44, 76, 112];
+const DISTANCES: [i32; 4] = [20, 44, 76, 112];
 /// Directions of a label from its point, the best first: right, left, above, below, and between them. Downwards is positive.
 const DIRECTIONS: [(i32, i32); 8] = [(1, -1), (1, 1), (-1, -1), (-1, 1), (1, 0), (-1, 0), (0, -1), (0, 1)];
 
@@ -54,10 +54,11 @@ impl Labels {
         }
     }
 
-    /// Finds a place for a label near its point, and takes it. `None` where all are taken.
-    pub(super) fn place(&mut self, label: &str, (x, y): (i32, i32)) -> Option<Placed> {
+    /// Finds a place for a label beside its point or, if it may, apart from it, and takes it. `None` where all are taken.
+    pub(super) fn place(&mut self, label: &str, (x, y): (i32, i32), may_lie_apart: bool) -> Option<Placed> {
         let width = width_of(label, LABEL);
-        for (apart, distance) in DISTANCES.into_iter().enumerate() {
+        let distances = if may_lie_apart { &DISTANCES[..] } else { &DISTANCES[..1] };
+        for (apart, &distance) in distances.iter().enumerate() {
             for (across, down) in DIRECTIONS {
                 // Beside the point a label is no further up or down than needed.
                 let middle = y + down * if across == 0 { distance + HEIGHT / 2 } else { distance };
@@ -88,7 +89,7 @@ mod tests {
         // Five points close together: every label finds a place of its own, off all marks.
         let points: Vec<(i32, i32)> = (0..5).map(|place| (500 + 8 * place, 400 - 6 * place)).collect();
         let mut labels = Labels::around((100, 100, 1000, 700), &points, 10);
-        let placed: Vec<Placed> = points.iter().map(|&point| labels.place("n = 100", point).unwrap()).collect();
+        let placed: Vec<Placed> = points.iter().map(|&point| labels.place("n = 100", point, true).unwrap()).collect();
         assert!(placed.iter().any(|placed| placed.lead.is_some()));
         for (place, one) in labels.taken.iter().enumerate().skip(points.len()) {
             assert!(labels.taken[..place].iter().skip(points.len()).all(|other| !other.meets(*one)));
@@ -99,7 +100,7 @@ mod tests {
     #[test]
     fn a_full_frame_takes_no_more() {
         let mut labels = Labels::around((0, 0, 300, 60), &[(150, 30)], 10);
-        let placed: Vec<Option<Placed>> = (0..9).map(|_| labels.place("f32", (150, 30))).collect();
+        let placed: Vec<Option<Placed>> = (0..9).map(|_| labels.place("f32", (150, 30), true)).collect();
         assert!(placed[0].is_some() && placed[8].is_none(), "{placed:?}");
     }
 
@@ -109,6 +110,6 @@ mod tests {
         let mut barred = Labels::around((0, 0, 1000, 700), &[(500, 300)], 10);
         barred.keep_off(&[(500, 300), (900, 300), (900, 0)]);
         barred.keep_off(&[(500, 270), (900, 270)]);
-        assert_ne!(free.place("label", (500, 300)), barred.place("label", (500, 300)));
+        assert_ne!(free.place("label", (500, 300), false), barred.place("label", (500, 300), false));
     }
 }

@@ -158,7 +158,8 @@ fn scale(area: &Area, map: &FieldMap, left: i32, (low, high): (f64, f64)) -> Dra
     let row = |step: i32| bottom - (bottom - top) * step / steps;
     for step in 0..steps {
         let colour = viridis((f64::from(step) + 0.5) / f64::from(steps));
-        area.draw(&Rectangle::new([(left, row(step + 1)), (left + BAR, row(step))], colour.filled()))?;
+        // Each goes on to the top, under the next: no seam shows.
+        area.draw(&Rectangle::new([(left, top), (left + BAR, row(step))], colour.filled()))?;
     }
     for part in 0..=4 {
         let value = low + (high - low) * f64::from(part) / 4.0;

@@ -48,9 +48,10 @@ pub struct Pareto {
 /// Marks by kind, in the order of first occurrence.
 const MARKS: [Mark; 4] = [Mark::Disc(9), Mark::Diamond(12), Mark::Square(8), Mark::Ring(8)];
 /// Labels keep that far from the middle of a mark.
-const CLEAR: i32 = 13;
+const CLEAR: i32 = 16;
 
-/// Draws every point, the front as a staircase, and as many labels as there is room for: those of the front first.
+/// Draws every point, the front as a staircase, and as many labels as there is room for: those of the front first, of the
+/// others only what fits beside the mark.
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] for a coordinate that is no number, [`ReportError::Inconsistent`] for a cost that is not above zero, an
@@ -88,9 +89,11 @@ pub fn pareto(plot: &Pareto) -> Result<Plot, ReportError> {
         labels.keep_off(&stairs);
         let rest = (0..points.len()).filter(|place| !front.contains(place));
         let order: Vec<usize> = front.iter().copied().chain(rest).collect();
-        // Marks over lines, labels over both.
-        let placed: Vec<_> =
-            order.iter().map(|&place| labels.place(&plot.points[place].label, pixels[place])).collect();
+        // Only labels of the front may lie apart from their points. Marks are drawn over lines, labels over both.
+        let place = |(rank, &place): (usize, &usize)| {
+            labels.place(&plot.points[place].label, pixels[place], rank < front.len())
+        };
+        let placed: Vec<_> = order.iter().enumerate().map(place).collect();
         for (&place, placed) in order.iter().zip(&placed) {
             if let Some(lead) = placed.and_then(|placed| placed.lead) {
                 area.draw(&PathElement::new([pixels[place], lead], AXIS.light))?;

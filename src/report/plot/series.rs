@@ -165,17 +165,12 @@ where
 {
     let chart = chart(area, top, &plot.time, times.clone(), values)?;
     let level = |value: f64| [(times.start, value), (times.end, value)];
-    match &plot.target {
-        Some(SeriesTarget::Band { low, high, .. }) => {
-            let [from, to] = [(times.start, *high), (times.end, *low)].map(|point| chart.backend_coord(&point));
-            area.draw(&Rectangle::new([from, to], QUIET.light.mix(0.15).filled()))?;
-            for end in [low, high] {
-                line(area, &chart, &level(*end), INK, 1)?;
-            }
+    if let Some(SeriesTarget::Band { low, high, .. }) = &plot.target {
+        let [from, to] = [(times.start, *high), (times.end, *low)].map(|point| chart.backend_coord(&point));
+        area.draw(&Rectangle::new([from, to], QUIET.light.mix(0.15).filled()))?;
+        for end in [low, high] {
+            line(area, &chart, &level(*end), INK, 1)?;
         }
-        Some(SeriesTarget::Value { value, .. }) => dashed(area, &chart, &level(*value))?,
-        Some(SeriesTarget::Curve { points, .. }) => dashed(area, &chart, points)?,
-        None => {}
     }
     for (place, SeriesLine { points, .. }) in plot.lines.iter().enumerate() {
         line(area, &chart, points, theme::run(place), 4)?;
@@ -187,7 +182,12 @@ where
             mark(area, line_mark(place), chart.backend_coord(&point), theme::run(place))?;
         }
     }
-    Ok(())
+    // Over the runs, so that it is never hidden.
+    match &plot.target {
+        Some(SeriesTarget::Value { value, .. }) => dashed(area, &chart, &level(*value)),
+        Some(SeriesTarget::Curve { points, .. }) => dashed(area, &chart, points),
+        Some(SeriesTarget::Band { .. }) | None => Ok(()),
+    }
 }
 
 /// A line through points, no more of them than a reader can see; the last is among them.
