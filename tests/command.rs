@@ -2,66 +2,14 @@
 
 #[path = "command/documented.rs"]
 mod documented;
+#[path = "command/place.rs"]
+mod place;
 
 use documented::Page;
+use place::{Place, code, json, stderr, stdout};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-/// A folder of one test alone, removed at its end.
-struct Place(PathBuf);
-
-impl Place {
-    fn new(test: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("etalon-command-{test}-{}", std::process::id()));
-        let _ = fs::remove_dir_all(&path);
-        fs::create_dir_all(&path).unwrap();
-        Place(path)
-    }
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.join(name)
-    }
-    /// Runs the program here, as on a machine without any graphics driver.
-    fn etalon(&self, arguments: &[&str]) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_etalon"))
-            .args(arguments)
-            .current_dir(&self.0)
-            .env("VK_DRIVER_FILES", "/dev/null")
-            .env("VK_ICD_FILENAMES", "/dev/null")
-            .env_remove("ETALON_ADAPTER")
-            .output()
-            .unwrap()
-    }
-    fn listing(&self) -> Vec<String> {
-        let entries = fs::read_dir(&self.0).unwrap();
-        let mut names: Vec<String> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-        names.sort();
-        names
-    }
-}
-
-impl Drop for Place {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-fn stdout(output: &Output) -> &str {
-    std::str::from_utf8(&output.stdout).unwrap()
-}
-
-fn stderr(output: &Output) -> &str {
-    std::str::from_utf8(&output.stderr).unwrap()
-}
-
-fn code(output: &Output) -> Option<i32> {
-    output.status.code()
-}
-
-fn json(text: &str) -> Value {
-    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error} in {text}"))
-}
 
 /// The smallest tube that is one: a second even without optimisation.
 const TINY: [&str; 6] = ["run", "sod", "--dim", "1", "--n", "100"];
@@ -394,7 +342,7 @@ fn a_graphics_adapter_is_used_where_there_is_one() {
     }
     let place = Place::new("adapter");
     let arguments = ["run", "sod", "--dim", "1", "--n", "60", "--end-time", "0.02", "--backend", "wgpu", "--json"];
-    let output = Command::new(env!("CARGO_BIN_EXE_etalon")).args(arguments).current_dir(&place.0).output().unwrap();
+    let output = place.etalon_with_drivers(&arguments);
     assert_eq!(code(&output), Some(0), "{}", stderr(&output));
     let report = json(stdout(&output));
     let runs = report["runs"].as_array().unwrap();
@@ -483,7 +431,7 @@ fn an_audit_runs_wgsl_where_there_is_an_adapter() {
     }
     let place = Place::new("audit-adapter");
     let arguments = ["audit", "--only", "gs25:13", "--samples", "1000", "--json"];
-    let output = Command::new(env!("CARGO_BIN_EXE_etalon")).args(arguments).current_dir(&place.0).output().unwrap();
+    let output = place.etalon_with_drivers(&arguments);
     assert_eq!(code(&output), Some(0), "{}", stderr(&output));
     let state = json(stdout(&output));
     let errors = state["equations"][0]["errors"].as_array().unwrap();

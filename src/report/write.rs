@@ -6,23 +6,30 @@ use std::path::{Path, PathBuf};
 
 use super::html::page;
 use super::json::{envelope, to_json};
-use super::plot::plots;
+use super::plot::{Plot, plots};
 use super::{Particles, Report, ReportError, write_csv, write_vtu};
 
 /// The file by which a folder is recognised.
 const JSON: &str = "report.json";
 
-/// Writes `report.json`, `report.html`, the plots and, if given, `particles.csv` and `particles.vtu` into `folder`.
+/// Writes `report.json`, `report.html`, the plots, the `pictures` that a report cannot draw by itself, and, if given, `particles.csv` and
+/// `particles.vtu` into `folder`.
 ///
 /// Everything is written into a new folder beside it, which then takes its place; a report that was there before is
 /// replaced, and after a failure it is still there.
 ///
 /// # Errors
 /// What [`check_destination`] and [`super::check()`] return; [`ReportError::Io`] if the disk is full or the like.
-pub fn write(report: &Report, particles: Option<&Particles>, folder: &Path) -> Result<(), ReportError> {
+pub fn write(
+    report: &Report,
+    pictures: Vec<Plot>,
+    particles: Option<&Particles>,
+    folder: &Path,
+) -> Result<(), ReportError> {
     check_destination(folder)?;
     super::check(report)?;
-    let plots = plots(report)?;
+    let mut plots = plots(report)?;
+    plots.extend(pictures);
     let mut files = vec![JSON, "report.html"];
     files.extend(plots.iter().map(|plot| plot.file.as_str()));
     if particles.is_some() {
@@ -169,12 +176,12 @@ mod tests {
         let report = synthetic::report();
         let x = [0.1, 0.2];
         let particles = Particles::new(vec![Column { name: "x", unit: "L", values: &x }]).unwrap();
-        write(&report, Some(&particles), &folder).unwrap();
+        write(&report, Vec::new(), Some(&particles), &folder).unwrap();
         let names = listing(&folder);
         assert_eq!(names.len(), 12, "{names:?}");
         assert_eq!(from_json(&fs::read_to_string(folder.join(JSON)).unwrap()).unwrap(), report);
         // Again, without particles: the old ones do not stay behind, and no temporary folder does.
-        write(&report, None, &folder).unwrap();
+        write(&report, Vec::new(), None, &folder).unwrap();
         assert!(!folder.join("particles.csv").exists());
         assert_eq!(listing(&home.0.join("deep")), ["out"]);
     }
@@ -182,14 +189,14 @@ mod tests {
     #[test]
     fn an_empty_folder_is_free() {
         let home = place("empty");
-        write(&synthetic::report(), None, &home.0).unwrap();
+        write(&synthetic::report(), Vec::new(), None, &home.0).unwrap();
         assert!(home.0.join("report.html").exists());
     }
 
     #[test]
     fn foreign_folders_are_left_alone() {
         let home = place("foreign");
-        let message = |folder: &Path| write(&synthetic::report(), None, folder).unwrap_err().to_string();
+        let message = |folder: &Path| write(&synthetic::report(), Vec::new(), None, folder).unwrap_err().to_string();
 
         let thesis = home.0.join("thesis");
         fs::create_dir(&thesis).unwrap();
@@ -203,7 +210,7 @@ mod tests {
         assert!(message(&other_program).contains("holds no report.json of this program"));
 
         let ours = home.0.join("ours");
-        write(&synthetic::report(), None, &ours).unwrap();
+        write(&synthetic::report(), Vec::new(), None, &ours).unwrap();
         fs::write(ours.join("notes.txt"), "mine").unwrap();
         assert!(message(&ours).contains("notes.txt"), "{}", message(&ours));
         assert_eq!(fs::read_to_string(ours.join("notes.txt")).unwrap(), "mine");

@@ -9,7 +9,7 @@
 //! | `compare.rs`, `approximation.rs` | the three sources of error |
 //! | `sensitivity.rs`, `noisy.rs` | where tolerances come from |
 //! | `wrapped.rs` | an engine with clocks or noise around it |
-//! | `assemble.rs` | the report |
+//! | `assemble.rs`, `picture.rs` | the report; a picture of the plane |
 
 mod approximation;
 mod assemble;
@@ -18,6 +18,7 @@ mod curve;
 pub mod graphics;
 mod noisy;
 mod observe;
+mod picture;
 pub mod plan;
 pub mod progress;
 pub mod seen;
@@ -37,6 +38,7 @@ use crate::report::model::{Measurements, Run, Speed};
 use crate::report::{self, Report};
 use assemble::{Circumstances, particle_columns};
 use compare::Yardstick;
+use etalon_reference::domain::Domain;
 use etalon_reference::engine::EngineError;
 use etalon_reference::particles::ParticleSet;
 use etalon_reference::pipeline::Pipeline;
@@ -121,6 +123,7 @@ impl Session<'_> {
 
         let set = particles::<D>(&self.setup, self.level)?;
         let particles = set.len();
+        let domain = *set.domain();
         let task = Task {
             scene,
             physics: scene.physics(),
@@ -191,7 +194,7 @@ impl Session<'_> {
             description: scene.description(),
             runs,
         });
-        self.finish(&report, kept.as_deref())
+        self.finish(&report, kept.as_deref(), &domain)
     }
 
     /// The adapter, if one is needed; an error if it was asked for and is not there.
@@ -271,9 +274,15 @@ impl Session<'_> {
     }
 
     /// Writes the folder; the table, or the JSON, for stdout.
-    fn finish(&self, report: &Report, particles: Option<&State>) -> Result<Done, Failure> {
+    fn finish<const D: usize>(
+        &self,
+        report: &Report,
+        particles: Option<&State>,
+        domain: &Domain<D>,
+    ) -> Result<Done, Failure> {
+        let picture = particles.map(|state| picture::picture(state, domain)).transpose()?.flatten();
         let columns = particles.map(particle_columns).transpose()?;
-        report::write(report, columns.as_ref(), self.folder)?;
+        report::write(report, picture.into_iter().collect(), columns.as_ref(), self.folder)?;
         let passed = report::passes(report);
         if self.arguments.json {
             let path = self.folder.join("report.json");

@@ -15,8 +15,8 @@ pub(super) fn accuracy(report: &Report, plots: &[Plot]) -> String {
         return String::new();
     }
     let norm = &report.scene.norm;
-    let profiles: Vec<String> =
-        report.fields.iter().map(|field| figure(plots, &format!("profile_{}.svg", field.name))).collect();
+    let profiles = report.fields.iter().map(|field| format!("profile_{}.svg", field.name));
+    let profiles: Vec<String> = profiles.chain(["map_density.svg".into()]).map(|file| figure(plots, &file)).collect();
     if report.measured().all(|(_, _, measured)| measured.discretisation_error.is_empty()) {
         let lead = "Particles at the end time. There is no exact solution of this scene to compare them with.";
         return section("What came out?", lead, &figures(&profiles));
