@@ -6,6 +6,7 @@
 
 mod conduction;
 mod density;
+mod external;
 mod gradients;
 mod momentum;
 mod sign_reversal;
@@ -16,6 +17,7 @@ mod volume_elements;
 
 pub use conduction::Conduction;
 pub use density::Density;
+pub use external::{DriveWall, Driver, MoveWall, Push};
 pub use gradients::{Gradients, VelocityGradients};
 pub use momentum::{Momentum, ReconstructedMomentum};
 pub use sign_reversal::SignReversal;
@@ -41,11 +43,15 @@ pub struct Physics {
     pub neighbours: f64,
     /// A constant acceleration of all particles that move, axis by axis; the axes a scene does not have are not looked at.
     pub gravity: [f64; 3],
+    /// What drives the particles that are not mobile, where something does.
+    pub driver: Option<Driver>,
+    /// Whether particles carry a force that the host makes anew in every step, [`FORCING`](crate::fields::FORCING).
+    pub forced: bool,
 }
 
 impl Physics {
     /// What a three-dimensional scene takes where it does not say otherwise: the kernel, scheme and neighbour number of GS25, an adiabatic index
-    /// of 5/3, no gravity.
+    /// of 5/3, nothing that acts from outside.
     pub const STANDARD: Self = Physics {
         kernel: Kernel::MixedSinc,
         grad_h: GradH::Corrected,
@@ -53,6 +59,8 @@ impl Physics {
         gamma_minus_one: 2.0 / 3.0,
         neighbours: 100.0,
         gravity: [0.0; 3],
+        driver: None,
+        forced: false,
     };
 
     /// Whether anything pulls in `dimension` dimensions.

@@ -1,9 +1,15 @@
 //! The problems that are run: initial state, boundaries, physics, end time and what to compare with.
 
+pub mod double_blast;
+mod even;
 mod glass;
 mod lattice;
+pub mod membrane;
+pub mod mirror;
 pub mod sod;
+pub mod turbulence;
 
+pub(crate) use even::lattice;
 pub use glass::{GlassError, relax};
 pub use lattice::Tube;
 
