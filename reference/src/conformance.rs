@@ -4,6 +4,7 @@
 //! error bound ([`Bounded`]): the tolerance of every single number follows from the operations that led to it. It is proven to
 //! first order in the unit roundoff, for arithmetic as good as WGSL promises.
 
+pub mod external;
 pub mod poison;
 pub mod runs;
 pub mod sets;

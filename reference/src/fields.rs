@@ -112,6 +112,11 @@ fields! {
     /// The way the particle goes in this step.
     DISPLACEMENT = "displacement", "\\Delta x", "L", Vector;
 
+    /// The largest velocity of a driven wall, that at the crest of its oscillation.
+    DRIVE_VELOCITY = "drive_velocity", "v_w", "L T^-1", Vector;
+    /// The acceleration of a force that the host makes.
+    FORCING = "forcing", "f", "L T^-2", Vector;
+
     /// How many pairs a particle is in (GS25 29).
     PAIRS = "pairs", "N_{pairs}", "", Scalar;
     /// How many of them approach.

@@ -113,6 +113,12 @@ pub enum UpdateKind {
     KickDrift,
     /// [`Decay`].
     Decay,
+    /// [`DriveWall`].
+    DriveWall,
+    /// [`MoveWall`].
+    MoveWall,
+    /// [`Push`].
+    Push,
     /// [`Correct`].
     Correct,
 }
@@ -123,6 +129,9 @@ impl UpdateKind {
         match self {
             UpdateKind::KickDrift => Footprint::of_update::<D, KickDrift>(),
             UpdateKind::Decay => Footprint::of_update::<D, Decay>(),
+            UpdateKind::DriveWall => Footprint::of_update::<D, DriveWall>(),
+            UpdateKind::MoveWall => Footprint::of_update::<D, MoveWall>(),
+            UpdateKind::Push => Footprint::of_update::<D, Push>(),
             UpdateKind::Correct => Footprint::of_update::<D, Correct>(),
         }
     }
@@ -131,6 +140,9 @@ impl UpdateKind {
         match self {
             UpdateKind::KickDrift => visitor.visit_update(&KickDrift(physics)),
             UpdateKind::Decay => visitor.visit_update(&Decay(physics)),
+            UpdateKind::DriveWall => visitor.visit_update(&DriveWall),
+            UpdateKind::MoveWall => visitor.visit_update(&MoveWall),
+            UpdateKind::Push => visitor.visit_update(&Push),
             UpdateKind::Correct => visitor.visit_update(&Correct),
         }
     }
@@ -149,10 +161,14 @@ pub const STATE: &[Field] = &[
 /// What particles start with or updates keep beside the [`STATE`], for schemes that need it; carried only where a pass reads it.
 pub const SCHEME_STATE: &[Field] = &[fields::REMAINING_ALPHA, fields::SPECIES];
 
-/// The passes of a step, in order.
+/// The passes of a step, in order, and the updates around them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pipeline {
     passes: Vec<PassKind>,
+    /// What moves walls.
+    driving: &'static [UpdateKind],
+    /// What adds to the passes' accelerations.
+    pushing: &'static [UpdateKind],
 }
 
 impl Pipeline {
@@ -176,7 +192,13 @@ impl Pipeline {
         if let Some(drag) = physics.drag {
             last.push(if drag.reconstructs() { PassKind::ReconstructedDragForces } else { PassKind::DragForces });
         }
-        Self::leading_to_all::<D>(last)
+        let driving: &[UpdateKind] = match physics.driver {
+            None => &[],
+            Some(Driver { moves: false, .. }) => &[UpdateKind::DriveWall],
+            Some(Driver { moves: true, .. }) => &[UpdateKind::DriveWall, UpdateKind::MoveWall],
+        };
+        let pushing: &[UpdateKind] = if physics.forced { &[UpdateKind::Push] } else { &[] };
+        Pipeline { driving, pushing, ..Self::leading_to_all::<D>(last) }
     }
 
     /// The passes that give densities and what the smoothing length's update asks for besides.
@@ -219,7 +241,7 @@ impl Pipeline {
             }
         }
         chosen.sort_by_key(|p| PassKind::ALL.iter().position(|q| q == p));
-        Pipeline { passes: chosen }
+        Pipeline { passes: chosen, driving: &[], pushing: &[] }
     }
 
     /// The passes, in the order they run.
@@ -237,16 +259,42 @@ impl Pipeline {
         if self.switches() { &[UpdateKind::KickDrift, UpdateKind::Decay] } else { &[UpdateKind::KickDrift] }
     }
 
+    /// The updates that drive walls, after the opening ones; [`DriveWall`] before the first passes too.
+    pub fn driving(&self) -> &'static [UpdateKind] {
+        self.driving
+    }
+
+    /// The updates that belong to the passes and run right after them.
+    pub fn pushing(&self) -> &'static [UpdateKind] {
+        self.pushing
+    }
+
     /// The updates that close it, after the passes.
     pub fn closing(&self) -> &'static [UpdateKind] {
         &[UpdateKind::Correct]
     }
 
-    /// Gives particles what schemes keep beside the [`STATE`]: to be called once, before the first run.
+    /// All updates of a step, in order.
+    pub fn updates(&self) -> impl Iterator<Item = UpdateKind> {
+        [self.opening(), self.driving, self.pushing, self.closing()].into_iter().flatten().copied()
+    }
+
+    /// Gives particles what schemes and walls keep beside the [`STATE`]: to be called once, before the first run. A driven wall starts with
+    /// the largest velocity it will have.
     pub fn start<const D: usize, E: Engine<D>>(&self, engine: &mut E, physics: Physics) -> Result<(), EngineError> {
         if self.switches() {
             let smallest = vec![physics.viscosity.alpha_min; engine.particle_count()];
             engine.write(Component { field: fields::REMAINING_ALPHA, index: 0 }, &smallest)?;
+        }
+        for index in 0..D {
+            if physics.driver.is_some() {
+                let velocity = engine.read(Component { field: fields::VELOCITY, index })?;
+                engine.write(Component { field: fields::DRIVE_VELOCITY, index }, &velocity)?;
+            }
+            if physics.forced {
+                let zeros = vec![0.0; engine.particle_count()];
+                engine.write(Component { field: fields::FORCING, index }, &zeros)?;
+            }
         }
         Ok(())
     }
@@ -266,7 +314,7 @@ impl Pipeline {
     /// Every field a particle carries through this pipeline and its time integration, each once.
     pub fn fields<const D: usize>(&self) -> Vec<Field> {
         let mut all = STATE.to_vec();
-        let updates = self.opening().iter().chain(self.closing()).map(|u| u.footprint::<D>());
+        let updates = self.updates().map(|u| u.footprint::<D>());
         for footprint in self.passes.iter().map(|p| p.footprint::<D>()).chain(updates) {
             for field in footprint.own.into_iter().chain(footprint.other).chain(footprint.out) {
                 if !all.contains(&field) {

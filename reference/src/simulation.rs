@@ -2,12 +2,16 @@
 //!
 //! Second order in the step. Forces depend on velocities, so the closing kick's velocities are first foretold with the old
 //! acceleration and corrected afterwards (see [`KickDrift`] and [`Correct`](crate::passes::Correct)).
+//!
+//! What acts from outside acts at the moment for which forces are computed: driven walls have the velocity, and particles the host's force, of the
+//! step's end. A constant gravity is part of the physics and needs nothing here.
 
-use crate::engine::{Engine, EngineError};
+use crate::engine::{Engine, EngineError, smaller};
 use crate::fields;
 use crate::passes::{KickDrift, Physics};
 use crate::pipeline::{Pipeline, UpdateKind, UpdateVisitor};
-use etalon_kernels_gen::Update;
+use crate::turbulence::forcing::Forcing;
+use etalon_kernels_gen::{Component, Update};
 
 /// Rounds of the smoothing length's update before the first step. An error shrinks by half in each at a contact, faster elsewhere.
 const SETTLING_ROUNDS: usize = 10;
@@ -26,27 +30,57 @@ pub struct Simulation<const D: usize, E> {
     time: f64,
     steps: u64,
     next_step: f64,
+    forcing: Option<Stirring<D>>,
+}
+
+/// A force that the host makes, and what it acts on.
+struct Stirring<const D: usize> {
+    force: Forcing<D>,
+    /// Masses, zero for walls.
+    mass: Vec<f64>,
 }
 
 impl<const D: usize, E: Engine<D>> Simulation<D, E> {
     /// Takes an engine with particles and computes their accelerations.
     ///
     /// Smoothing lengths are first brought to the wanted neighbour number by some rounds of their update.
-    pub fn new(mut engine: E, physics: Physics) -> Result<Self, EngineError> {
+    pub fn new(engine: E, physics: Physics) -> Result<Self, EngineError> {
+        Self::start(engine, physics, None)
+    }
+
+    /// The same with a force that stirs the gas. The physics must say that it is [`forced`](Physics::forced).
+    pub fn with_forcing(engine: E, physics: Physics, force: Forcing<D>) -> Result<Self, EngineError> {
+        if !physics.forced {
+            return Err(EngineError(
+                "a force needs the field it is carried in: set `forced` in the physics".to_string(),
+            ));
+        }
+        Self::start(engine, physics, Some(force))
+    }
+
+    fn start(mut engine: E, physics: Physics, force: Option<Forcing<D>>) -> Result<Self, EngineError> {
         let pipeline = Pipeline::of_scene::<D>(&physics);
         for axis in 0..D {
             let zeros = vec![0.0; engine.particle_count()];
             for field in [fields::ACCELERATION, fields::PREVIOUS_ACCELERATION, fields::DISPLACEMENT] {
-                engine.write(etalon_kernels_gen::Component { field, index: axis }, &zeros)?;
+                engine.write(Component { field, index: axis }, &zeros)?;
             }
             if axis == 0 {
                 for field in [fields::ENERGY_RATE, fields::PREVIOUS_ENERGY_RATE] {
-                    engine.write(etalon_kernels_gen::Component { field, index: 0 }, &zeros)?;
+                    engine.write(Component { field, index: 0 }, &zeros)?;
                 }
             }
         }
         pipeline.start(&mut engine, physics)?;
-        let mut simulation = Simulation { engine, physics, pipeline, time: 0.0, steps: 0, next_step: 0.0 };
+        let forcing = match force {
+            Some(force) => {
+                let (mass, mobility) = (engine.read_scalar(fields::MASS)?, engine.read_scalar(fields::MOBILITY)?);
+                let mass = mass.into_iter().zip(mobility).map(|(mass, mobility)| mass * mobility).collect();
+                Some(Stirring { force, mass })
+            }
+            None => None,
+        };
+        let mut simulation = Simulation { engine, physics, pipeline, time: 0.0, steps: 0, next_step: 0.0, forcing };
         let density = Pipeline::of_smoothing_lengths::<D>(&physics);
         for _ in 0..SETTLING_ROUNDS {
             simulation.engine.find_neighbours(physics.kernel.support())?;
@@ -54,19 +88,48 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
             // With a step of length zero this changes nothing but the smoothing length.
             simulation.engine.run_update(&KickDrift(physics), 0.0)?;
         }
-        simulation.forces()?;
+        simulation.drive(0.0)?;
+        simulation.forces(0.0)?;
         Ok(simulation)
     }
 
-    /// Neighbours, passes, and the step they allow.
-    fn forces(&mut self) -> Result<(), EngineError> {
+    /// Neighbours, passes, what pushes from outside after `step` more of it, and the step they allow.
+    fn forces(&mut self, step: f64) -> Result<(), EngineError> {
         self.engine.find_neighbours(self.physics.kernel.support())?;
         self.pipeline.run(&mut self.engine, self.physics)?;
-        self.next_step = self.engine.minimum(fields::TIME_STEP)?;
+        if let Some(Stirring { force, mass }) = &mut self.forcing {
+            force.advance(step).map_err(EngineError::from_display)?;
+            let mut places: [Vec<u64>; D] = std::array::from_fn(|_| Vec::new());
+            for (axis, places) in places.iter_mut().enumerate() {
+                *places = self.engine.coordinates(axis)?;
+            }
+            for (index, values) in
+                force.at(&places, mass).map_err(EngineError::from_display)?.acceleration.iter().enumerate()
+            {
+                self.engine.write(Component { field: fields::FORCING, index }, values)?;
+            }
+        }
+        self.update(self.pipeline.pushing(), step)?;
+        let allowed = self.engine.minimum(fields::TIME_STEP)?;
+        self.next_step = self.physics.driver.map_or(allowed, |driver| smaller(allowed, driver.longest_step()));
         Ok(())
     }
 
-    fn update(&mut self, updates: &[UpdateKind], step: f64) -> Result<(), EngineError> {
+    /// Gives driven walls the velocity of the end of a step and the way they go in it.
+    fn drive(&mut self, step: f64) -> Result<(), EngineError> {
+        let Some(driver) = self.physics.driver else { return Ok(()) };
+        for update in self.pipeline.driving() {
+            let scalar = match update {
+                UpdateKind::MoveWall => driver.way(self.time, step),
+                _ => driver.share(self.time + step),
+            };
+            self.update(std::slice::from_ref(update), scalar)?;
+        }
+        Ok(())
+    }
+
+    /// Runs updates with the scalar they take, which is the step's length for most.
+    fn update(&mut self, updates: &[UpdateKind], scalar: f64) -> Result<(), EngineError> {
         struct Run<'e, E>(&'e mut E, f64);
         impl<const D: usize, E: Engine<D>> UpdateVisitor<D> for Run<'_, E> {
             type Output = Result<(), EngineError>;
@@ -74,7 +137,7 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
                 self.0.run_update(update, self.1)
             }
         }
-        let mut run = Run(&mut self.engine, step);
+        let mut run = Run(&mut self.engine, scalar);
         updates.iter().try_for_each(|update| update.visit::<D, _>(self.physics, &mut run))
     }
 
@@ -85,8 +148,9 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
         let left_over = LEFT_OVER * (self.time + self.next_step);
         let step = if rest - self.next_step <= left_over { rest } else { self.next_step };
         self.update(self.pipeline.opening(), step)?;
+        self.drive(step)?;
         self.engine.drift()?;
-        self.forces()?;
+        self.forces(step)?;
         self.update(self.pipeline.closing(), step)?;
         self.time = if step == rest { until } else { self.time + step };
         self.steps += 1;
@@ -141,6 +205,10 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
     /// The passes of each step.
     pub fn pipeline(&self) -> &Pipeline {
         &self.pipeline
+    }
+    /// The force that stirs the gas, as it stands.
+    pub fn forcing(&self) -> Option<&Forcing<D>> {
+        self.forcing.as_ref().map(|stirring| &stirring.force)
     }
     /// The physics.
     pub fn physics(&self) -> &Physics {

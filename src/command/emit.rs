@@ -80,13 +80,13 @@ fn texts<const D: usize>(arguments: &EmitArguments, setup: &Setup) -> Result<Vec
         slots: etalon_wgpu::Slots::new(&pipeline.fields::<D>(), D),
     };
     let mut texts = Vec::new();
-    for update in pipeline.opening() {
+    for update in pipeline.opening().iter().chain(pipeline.driving()) {
         texts.push(update.visit::<D, _>(physics, &mut printer)?);
     }
     for pass in pipeline.passes() {
         texts.push(pass.visit::<D, _>(physics, &mut printer)?);
     }
-    for update in pipeline.closing() {
+    for update in pipeline.pushing().iter().chain(pipeline.closing()) {
         texts.push(update.visit::<D, _>(physics, &mut printer)?);
     }
     Ok(texts)

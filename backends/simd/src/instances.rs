@@ -6,8 +6,8 @@
 use crate::engine::LaneEngine;
 use etalon_reference::engine::{Engine, EngineError};
 use etalon_reference::passes::{
-    Conduction, Correct, Decay, Density, Gradients, KickDrift, Momentum, ReconstructedMomentum, Switch,
-    SwitchedMomentum, VelocityGradients, VolumeElements,
+    Conduction, Correct, Decay, Density, DriveWall, Gradients, KickDrift, Momentum, MoveWall, Push,
+    ReconstructedMomentum, Switch, SwitchedMomentum, VelocityGradients, VolumeElements,
 };
 
 type Run<const D: usize, T, P> = fn(&mut LaneEngine<T, D>, &P) -> Result<(), EngineError>;
@@ -30,6 +30,9 @@ macro_rules! instances {
             Advance<$dimension, $number, KickDrift>,
             Advance<$dimension, $number, Correct>,
             Advance<$dimension, $number, Decay>,
+            Advance<$dimension, $number, DriveWall>,
+            Advance<$dimension, $number, MoveWall>,
+            Advance<$dimension, $number, Push>,
         ) = (
             Engine::run_pass,
             Engine::run_pass,
@@ -40,6 +43,9 @@ macro_rules! instances {
             Engine::run_pass,
             Engine::run_pass,
             Engine::run_pass,
+            Engine::run_update,
+            Engine::run_update,
+            Engine::run_update,
             Engine::run_update,
             Engine::run_update,
             Engine::run_update,

@@ -39,7 +39,7 @@ fn texts<const D: usize>(physics: Physics) -> Vec<(&'static str, String)> {
     for pass in pipeline.passes() {
         PassKind::visit::<D, _>(*pass, physics, &mut texts);
     }
-    for update in pipeline.opening().iter().chain(pipeline.closing()) {
+    for update in pipeline.updates() {
         update.visit::<D, _>(physics, &mut texts);
     }
     texts.made

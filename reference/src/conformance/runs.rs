@@ -58,7 +58,7 @@ impl Distance {
 
 impl fmt::Display for Distance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let share = 100.0 * self.error / self.tolerance;
+        let share = if self.error > 0.0 { 100.0 * self.error / self.tolerance } else { 0.0 };
         write!(f, "{}: rms error {:.2e}, tolerance {:.2e}, {share:.0} % of it", self.what, self.error, self.tolerance)
     }
 }

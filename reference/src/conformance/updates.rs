@@ -5,13 +5,13 @@ use super::{Summary, to_precision, verdict};
 use crate::engine::{Engine, EngineError, PlainEngine};
 use crate::fields;
 use crate::particles::ParticleSet;
-use crate::passes::Physics;
+use crate::passes::{Driver, Physics};
 use crate::pipeline::{Pipeline, UpdateVisitor};
 use crate::scenes::sod::Sod;
 use crate::schemes::{Dissipation, Viscosity};
 use crate::simulation::Simulation;
 use etalon_kernels_gen::bounded::{Bounded, Roundoff};
-use etalon_kernels_gen::{Field, Footprint, Update, components};
+use etalon_kernels_gen::{Component, Field, Footprint, Update, components};
 
 /// A power of two: as exact in one precision as in the other.
 const TIME_STEP: f64 = 1.0 / 1024.0;
@@ -30,8 +30,13 @@ const TRIED: [Difficulty; 2] = [Difficulty::None, Difficulty::FixedLayers];
 pub fn check_updates<const D: usize, P: Roundoff, E: Engine<D>>(
     mut make: impl FnMut(&ParticleSet<D>, &[Field]) -> Result<E, EngineError>,
 ) -> Result<Summary, EngineError> {
-    // A scheme with a switch, which has an update of its own.
-    let physics = Physics { viscosity: Viscosity::of(Dissipation::AvSw), ..Sod::standard(D).physics() };
+    // All that has an update of its own: a scheme with a switch, walls that are driven, a force from outside.
+    let physics = Physics {
+        driver: Some(Driver { period: 0.25, moves: true }),
+        forced: true,
+        viscosity: Viscosity::of(Dissipation::AvSw),
+        ..Sod::standard(D).physics()
+    };
     let pipeline = Pipeline::of_scene::<D>(&physics);
     let mut summary = Summary::default();
     for (difficulty, seed) in TRIED.into_iter().zip(7..) {
@@ -45,10 +50,14 @@ pub fn check_updates<const D: usize, P: Roundoff, E: Engine<D>>(
             summary.failures.push(format!("{place}: the engine holds other walls than the particles"));
         }
         let mut run = Simulation::new(PlainEngine::<f64, D>::new(&set), physics)?;
+        for index in 0..D {
+            let force: Vec<f64> = (0..set.len()).map(|i| 1.0 - (i % 5) as f64 * 0.3).collect();
+            run.engine().write(Component { field: fields::FORCING, index }, &force)?;
+        }
         run.step(1.0)?;
         let bounded = PlainEngine::<Bounded<P>, D>::new(&set);
         let mut check = Check { inputs: run.engine(), bounded, engine: &mut engine, place, difficulty, summary };
-        for update in pipeline.opening().iter().chain(pipeline.closing()) {
+        for update in pipeline.updates() {
             update.visit(physics, &mut check)?;
         }
         summary = check.summary;

@@ -10,6 +10,7 @@
 mod conduction;
 mod density;
 mod drag_forces;
+mod external;
 mod gradients;
 mod linear_gradients;
 mod momentum;
@@ -23,6 +24,7 @@ mod volume_elements;
 pub use conduction::Conduction;
 pub use density::Density;
 pub use drag_forces::{DragForces, ReconstructedDragForces};
+pub use external::{DriveWall, Driver, MoveWall, Push};
 pub use gradients::{Gradients, VelocityGradients};
 pub use linear_gradients::LinearGradients;
 pub use momentum::{Momentum, ReconstructedMomentum};
@@ -52,11 +54,15 @@ pub struct Physics {
     pub gravity: [f64; 3],
     /// Drag between gas and dust; none where there is gas only.
     pub drag: Option<Drag>,
+    /// What drives the particles that are not mobile, where something does.
+    pub driver: Option<Driver>,
+    /// Whether particles carry a force that the host makes anew in every step, [`FORCING`](crate::fields::FORCING).
+    pub forced: bool,
 }
 
 impl Physics {
     /// What a three-dimensional scene takes where it does not say otherwise: the kernel, scheme and neighbour number of GS25, an adiabatic index
-    /// of 5/3, no gravity, no dust.
+    /// of 5/3, no dust, nothing that acts from outside.
     pub const STANDARD: Self = Physics {
         kernel: Kernel::MixedSinc,
         grad_h: GradH::Corrected,
@@ -65,6 +71,8 @@ impl Physics {
         neighbours: 100.0,
         gravity: [0.0; 3],
         drag: None,
+        driver: None,
+        forced: false,
     };
 
     /// Whether anything pulls in `dimension` dimensions.

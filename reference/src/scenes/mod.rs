@@ -1,25 +1,31 @@
 //! The problems that are run: initial state, boundaries, physics, end time and what to compare with.
 
+pub mod double_blast;
 pub mod dustybox;
 pub mod dustyshock;
 pub mod dustywave;
 mod error;
+mod even;
 mod filling;
 mod gas_and_dust;
 mod glass;
 pub mod gresho_chan;
 mod lattice;
 mod measures;
+pub mod membrane;
 mod method;
+pub mod mirror;
 pub mod noh;
 mod problem;
 mod scene;
 pub mod sedov;
 pub mod sod;
 mod state;
+pub mod turbulence;
 mod view;
 
 pub use error::SceneError;
+pub(crate) use even::lattice;
 pub use filling::{Block, Filling};
 pub use gas_and_dust::DustySceneError;
 pub use glass::{GlassError, relax};

@@ -76,6 +76,10 @@ impl<const D: usize> Snapshot<D> {
     pub fn mass(&self) -> &[f64] {
         &self.mass
     }
+    /// The fixed-point coordinates, by axis and particle.
+    pub fn places(&self) -> &[Vec<u64>; D] {
+        &self.coordinates
+    }
     /// A particle's fixed-point coordinates.
     pub fn coordinates(&self, particle: usize) -> [u64; D] {
         std::array::from_fn(|axis| self.coordinates[axis][particle])

@@ -2,7 +2,11 @@
 //! that has gone wrong.
 
 mod bad_input;
+mod external;
 mod glass;
+mod membrane;
+mod mirror;
 mod misuse;
 mod order;
 mod sod;
+mod turbulence;

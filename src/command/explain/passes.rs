@@ -19,9 +19,11 @@ pub struct Stage {
 /// The stages of a step, in the order they run.
 pub fn stages<const D: usize>(pipeline: &Pipeline, physics: Physics) -> Result<Vec<Stage>, Failure> {
     let all = || -> Result<Vec<Stage>, TraceError> {
-        let opening = pipeline.opening().iter().map(|update| update.visit::<D, _>(physics, &mut Draw));
+        let opening =
+            pipeline.opening().iter().chain(pipeline.driving()).map(|update| update.visit::<D, _>(physics, &mut Draw));
         let passes = pipeline.passes().iter().map(|pass| pass.visit::<D, _>(physics, &mut Draw));
-        let closing = pipeline.closing().iter().map(|update| update.visit::<D, _>(physics, &mut Draw));
+        let closing =
+            pipeline.pushing().iter().chain(pipeline.closing()).map(|update| update.visit::<D, _>(physics, &mut Draw));
         opening.chain(passes).chain(closing).collect()
     };
     all().map_err(|error| Failure::Broken(format!("a pass cannot be drawn: {error}")))

@@ -6,6 +6,7 @@ mod adapter;
 mod behaviour;
 mod bits;
 mod conservation;
+mod external;
 mod passes;
 #[path = "../support/random.rs"]
 mod random;

@@ -4,15 +4,17 @@
 //! The papers give the range of waves, the parabola and the process. Strength, memory and normalisation are SPH-EXA's. Where
 //! that code and the papers differ, or the code's choice has a side effect, both are there: [`Profile`], [`ModeWeights`].
 
+mod field;
 mod modes;
 
 pub use modes::{Mode, PEAK, modes};
 
-use super::error::TurbulenceError;
+use super::error::{TurbulenceError, check_column, check_length};
 use super::snapshot::{Snapshot, periodic_side};
 use crate::domain::Domain;
 use crate::equations::turbulence::{driving_term, ornstein_uhlenbeck_step, project_mode, projection_norm_squared};
 use crate::schemes::{ModeWeights, Profile};
+use etalon_kernels_gen::functions::ratio_or_zero;
 use etalon_kernels_gen::{Vector, equation};
 use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
@@ -79,6 +81,15 @@ pub struct Drive<const D: usize> {
     ///
     /// No wave has a mean over the box, but particles that are not evenly spread sample one, and the gas would drift.
     pub mean: [f64; D],
+}
+
+/// Where the processes of a force stand.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForcingState {
+    /// Wave by wave, the components of the real part, then those of the imaginary one.
+    pub amplitudes: Vec<f64>,
+    /// The state of the random numbers.
+    pub random: u128,
 }
 
 /// The driving force and its state.
@@ -170,20 +181,48 @@ impl<const D: usize> Forcing<D> {
             let rule = "the force was made for another box: make one for this";
             return Err(TurbulenceError::Parameter { name: "side of the particles' box", value: side, rule });
         }
-        let waves = self.waves();
-        let mut acceleration: [Vec<f64>; D] = std::array::from_fn(|_| Vec::with_capacity(snapshot.len()));
-        for particle in 0..snapshot.len() {
-            let force = force_at(&waves, snapshot.coordinates(particle));
-            (0..D).for_each(|axis| acceleration[axis].push(force[axis]));
+        self.at(snapshot.places(), snapshot.mass())
+    }
+
+    /// The force at places given by their fixed-point coordinates in the box, by axis; its mean over these masses is taken away, if there is any mass.
+    ///
+    /// # Errors
+    /// Columns of different length.
+    pub fn at(&self, places: &[Vec<u64>; D], mass: &[f64]) -> Result<Drive<D>, TurbulenceError> {
+        for column in places {
+            check_length("list of coordinates", column.len(), mass.len())?;
         }
-        let whole: f64 = snapshot.mass().iter().sum();
+        let mut acceleration = field::accelerations(&self.waves(), places);
+        let whole: f64 = mass.iter().sum();
         let mean = std::array::from_fn(|axis| {
-            acceleration[axis].iter().zip(snapshot.mass()).map(|(a, m)| a * m).sum::<f64>() / whole
+            let total: f64 = acceleration[axis].iter().zip(mass).map(|(a, m)| a * m).sum();
+            ratio_or_zero(total, whole)
         });
         for (axis, column) in acceleration.iter_mut().enumerate() {
             column.iter_mut().for_each(|a| *a -= mean[axis]);
         }
         Ok(Drive { acceleration, mean })
+    }
+
+    /// What a force that is to go on later needs, beside what it was made with.
+    pub fn state(&self) -> ForcingState {
+        let amplitudes = self.waves.iter().flat_map(|wave| wave.real.into_iter().chain(wave.imaginary)).collect();
+        ForcingState { amplitudes, random: self.random.state() }
+    }
+
+    /// Goes on from a state of a force that was made with the same driving in a box of the same size: as that one would have, bit for bit.
+    ///
+    /// # Errors
+    /// Another number of amplitudes than this force has, or one that is not finite.
+    pub fn restore(&mut self, state: &ForcingState) -> Result<(), TurbulenceError> {
+        check_length("list of amplitudes", state.amplitudes.len(), 2 * D * self.waves.len())?;
+        check_column("amplitudes", &state.amplitudes, false)?;
+        let mut next = state.amplitudes.iter().copied();
+        for x in self.waves.iter_mut().flat_map(|wave| wave.real.iter_mut().chain(&mut wave.imaginary)) {
+            *x = next.next().unwrap_or(*x);
+        }
+        self.random = Pcg64Mcg::new(state.random);
+        Ok(())
     }
 
     /// The root mean square of the force over the box and over time, `sigma sqrt(nu sum a^2)`, whatever the solenoidal weight is.
