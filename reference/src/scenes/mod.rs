@@ -1,19 +1,28 @@
 //! The problems that are run: initial state, boundaries, physics, end time and what to compare with.
 
 mod error;
+pub mod even_gas;
 mod filling;
+pub mod gas_tube;
 mod glass;
 pub mod gresho_chan;
+pub mod hydrostatic;
+pub mod kelvin_helmholtz;
 mod lattice;
+mod layers;
 mod measures;
 mod method;
 pub mod noh;
 mod problem;
+pub mod rayleigh_taylor;
 mod scene;
 pub mod sedov;
+mod shock_tube;
 pub mod sod;
 mod state;
+pub mod static_square;
 mod view;
+pub mod wind_cloud;
 
 pub use error::SceneError;
 pub use filling::{Block, Filling};
