@@ -3,6 +3,8 @@
 use super::scene::Solution;
 use super::{SceneError, State, View};
 use crate::diagnostics::entropy::{ColdGas, GasColumns, entropy_changes};
+use crate::domain::{Domain, separation};
+use crate::engine::PlainNeighbours;
 use crate::norms::l1_error;
 use crate::sum::CompensatedSum;
 
@@ -110,8 +112,25 @@ impl State {
     }
 }
 
+/// The distance of each particle to the nearest other one, in a box.
+pub fn nearest_distances<const D: usize>(state: &State, domain: &Domain<D>) -> Vec<f64> {
+    let length = domain.torus_length();
+    let at = |axis: usize| state.position[axis].iter().map(|&x| domain.encode(axis, x)).collect::<Vec<u64>>();
+    let coordinates: [Vec<u64>; D] = std::array::from_fn(at);
+    let distance = |a: usize, b: usize| {
+        let squares = (0..D).map(|axis| separation(coordinates[axis][a], coordinates[axis][b], length[axis]).powi(2));
+        squares.sum::<f64>().sqrt()
+    };
+    // The nearest is within a support, which has neighbours by the way smoothing lengths are found.
+    let shortest = length.iter().copied().fold(f64::INFINITY, f64::min);
+    let reach: Vec<f64> = state.smoothing_length.iter().map(|h| (2.0 * h).min(0.5 * shortest)).collect();
+    let neighbours = PlainNeighbours::find(&coordinates, &reach, length);
+    let nearest = |a: usize| neighbours.of(a).iter().map(|&b| distance(a, b as usize)).fold(f64::INFINITY, f64::min);
+    (0..state.len()).map(|a| nearest(a).min(reach[a])).collect()
+}
+
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
 
     /// Two particles of mass 2 that circle the origin in opposite places, and a wall.
@@ -138,6 +157,19 @@ pub(super) mod tests {
         assert_eq!(state.angular_momentum([0.0; 2]), 12.0);
         assert_eq!(state.scatter(&state.density, 1.0), 0.5_f64.sqrt());
         assert_eq!(state.quickness(1), 3.0);
+    }
+
+    #[test]
+    fn the_nearest_is_found_around_the_box() {
+        let mut state = pair();
+        state.position = vec![vec![0.05, 0.99, 0.5], vec![0.5; 3]];
+        state.smoothing_length = vec![0.2; 3];
+        let domain = Domain::new([0.0; 2], [1.0; 2], [true; 2]).unwrap();
+        let found = nearest_distances(&state, &domain);
+        // Places are on a grid of 2^-32. The third has nobody within its reach of 0.4.
+        for (found, due) in found.iter().zip([0.06, 0.06, 0.4]) {
+            assert!((found - due).abs() < 1e-9, "{found} where {due} is due");
+        }
     }
 
     struct Still;

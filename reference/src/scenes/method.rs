@@ -64,6 +64,11 @@ impl Method {
         self.kernel.support() * self.smoothing_length(dimension, volume)
     }
 
+    /// How deep a fixed layer of such particles must be: more than a support and what a particle at its edge moves.
+    pub fn wall(&self, smoothing_length: f64) -> f64 {
+        WALL.max(2.0 * self.kernel.support()) * smoothing_length
+    }
+
     /// Refuses a neighbour number that no kernel can use, and coefficients that are none.
     pub fn check(&self, dimension: usize) -> Result<(), SceneError> {
         let (least, most) = [(4.0, 40.0), (10.0, 150.0), (30.0, 600.0)][dimension - 1];
@@ -92,6 +97,8 @@ impl Method {
     }
 }
 
+/// The least depth of a fixed layer, in smoothing lengths.
+const WALL: f64 = 4.0;
 /// Coefficients of order one are meant; ten times as much is no flow to compare anything in.
 const MOST_COEFFICIENT: f64 = 10.0;
 /// What is divided by must not be zero; a thousandth of what scenes take is none any more.

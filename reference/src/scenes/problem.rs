@@ -1,7 +1,10 @@
 //! All problems there are, by name: where a scene file and the command pick one.
 
 use super::scene::Scene;
-use super::{Method, SceneError, gresho_chan, noh, sedov, sod};
+use super::{
+    Method, SceneError, even_gas, gas_tube, gresho_chan, hydrostatic, kelvin_helmholtz, noh, rayleigh_taylor, sedov,
+    sod, static_square, wind_cloud,
+};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -122,6 +125,28 @@ problems! {
     Noh(noh::Noh) = "noh",
     /// Sedov's blast.
     Sedov(sedov::Sedov) = "sedov",
+    /// The Kelvin-Helmholtz instability.
+    KelvinHelmholtz(kelvin_helmholtz::KelvinHelmholtz) = "kelvin-helmholtz",
+    /// The Rayleigh-Taylor instability.
+    RayleighTaylor(rayleigh_taylor::RayleighTaylor) = "rayleigh-taylor",
+    /// A cloud in a wind.
+    WindCloud(wind_cloud::WindCloud) = "wind-cloud",
+    /// A shock tube of two gases.
+    Tube(gas_tube::GasTube<gas_tube::Sonic>) = "tube",
+    /// A jump of 10^5 in pressure.
+    StrongShock(gas_tube::GasTube<gas_tube::StrongShock>) = "strong-shock",
+    /// Gases that fly apart.
+    NearVacuum(gas_tube::GasTube<gas_tube::NearVacuum>) = "vacuum",
+    /// Even flow at Mach 100.
+    ColdFlow(even_gas::EvenGas<even_gas::ColdFlow>) = "cold-flow",
+    /// A dense square at rest.
+    StaticSquare(static_square::StaticSquare) = "static-square",
+    /// Gas at rest in gravity.
+    Hydrostatic(hydrostatic::Hydrostatic) = "hydrostatic",
+    /// A stretched and jittered lattice.
+    NoisyLattice(even_gas::EvenGas<even_gas::NoisyLattice>) = "noisy-lattice",
+    /// Many neighbours.
+    Pairing(even_gas::EvenGas<even_gas::Pairing>) = "pairing",
 }
 
 impl<'de> Deserialize<'de> for Name {

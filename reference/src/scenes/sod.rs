@@ -1,11 +1,11 @@
 //! Sod's shock tube (GS25 section 3.1): two gases at rest, eight times denser and ten times the pressure on the left.
 
 use super::scene::{Description, GivenMomentum, Glasses, Measured, Scene, Solution};
-use super::{Arrangement, Definition, GlassError, Method, SceneError, Tube, View, lattice::Side};
-use crate::domain::Domain;
+use super::shock_tube::ShockTube;
+use super::{Definition, GlassError, Method, SceneError, View};
 use crate::equations::initial_state::smoothed_pressure;
-use crate::exact::riemann::{RiemannError, RiemannProblem, State, Wave};
-use crate::particles::{Particle, ParticleError, ParticleSet};
+use crate::exact::riemann::{RiemannProblem, State};
+use crate::particles::{Particle, ParticleSet};
 use crate::passes::Physics;
 use serde::{Deserialize, Serialize};
 
@@ -23,8 +23,6 @@ pub const SMOOTHING_WIDTH: f64 = 0.01;
 pub const END_TIME: f64 = 0.2;
 /// Where errors are measured (GS25 section 3.1).
 pub const MEASURED: (f64, f64) = (0.05, 0.868);
-/// The fixed layers beyond both ends, in smoothing lengths of their side: more than a support and what a particle at the end moves.
-const WALL: f64 = 4.0;
 
 /// The tube: what is a choice of the problem.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -63,16 +61,27 @@ impl Sod {
         self.method.physics(self.gamma)
     }
 
+    /// The tube that it is one of.
+    fn tube(&self) -> ShockTube {
+        let state = |side: usize| State { density: DENSITY[side], velocity: 0.0, pressure: PRESSURE[side] };
+        ShockTube {
+            method: self.method,
+            states: [state(0), state(1)],
+            gamma: self.gamma,
+            interface: INTERFACE,
+            width: WIDTH,
+            end_time: END_TIME,
+        }
+    }
+
     /// The exact solution of the sharp start.
     pub fn exact(&self) -> Result<RiemannProblem<f64>, SceneError> {
-        let state = |side: usize| State { density: DENSITY[side], velocity: 0.0, pressure: PRESSURE[side] };
         // Of all that the exact solution takes, only gamma is a choice.
-        let refused = |error: RiemannError| SceneError::Choice {
+        self.tube().exact().map_err(|error| SceneError::Choice {
             name: "gamma",
             given: self.gamma.to_string(),
             rule: error.to_string(),
-        };
-        RiemannProblem::new(state(0), state(1), self.gamma).map_err(refused)
+        })
     }
 
     fn pressure(&self, side: usize, x: f64) -> f64 {
@@ -92,35 +101,10 @@ impl Sod {
     /// The initial particles. `glass` gives a relaxed cube of `across^D` particles when one is asked for.
     pub fn particles<const D: usize>(
         &self,
-        mut glass: impl FnMut(usize) -> Result<Vec<[f64; D]>, GlassError>,
+        glass: impl FnMut(usize) -> Result<Vec<[f64; D]>, GlassError>,
     ) -> Result<ParticleSet<D>, SceneError> {
         self.check::<D>()?;
-        let (sides, mass) = TUBE.sides::<D>(self.method.particles);
-        let reach = self.method.kernel.support();
-        let mut particles = Vec::new();
-        let mut depth = [0.0; 2];
-        for (side, lattice) in sides.into_iter().enumerate() {
-            let density = DENSITY[side];
-            let h = self.method.smoothing_length(D, mass / density);
-            depth[side] = WALL.max(2.0 * reach) * h;
-            let places = match self.method.arrangement {
-                Arrangement::Lattice => TUBE.places::<D>(side, lattice, depth[side]),
-                Arrangement::Glass => tiles(side, lattice, depth[side], &glass(lattice.across)?),
-            };
-            particles.extend(places.into_iter().map(|position| {
-                let pressure = self.pressure(side, position[0]);
-                Particle {
-                    position,
-                    velocity: [0.0; D],
-                    mass,
-                    smoothing_length: h,
-                    internal_energy: pressure / ((self.gamma - 1.0) * density),
-                    mobile: (0.0..=1.0).contains(&position[0]),
-                }
-            }));
-        }
-        let ends = [-depth[0] - sides[0].along, 1.0 + depth[1] + sides[1].along];
-        Ok(ParticleSet::new(domain(ends[0], ends[1])?, particles)?)
+        self.tube().particles(|side, x| self.pressure(side, x), glass)
     }
 
     /// Whether there are such a gas and so many neighbours.
@@ -148,36 +132,13 @@ impl Sod {
         }
         let lowest = particles.iter().map(|p| p.position[0] - reach(p)).fold(f64::INFINITY, f64::min);
         let highest = particles.iter().map(|p| p.position[0] + reach(p)).fold(f64::NEG_INFINITY, f64::max);
-        Ok(ParticleSet::new(domain(lowest, highest)?, particles)?)
+        Ok(ParticleSet::new(self.tube().domain(lowest, highest)?, particles)?)
     }
 
     /// Whether these choices make a tube in `D` dimensions.
     pub fn check<const D: usize>(&self) -> Result<(), SceneError> {
         self.check_physics(D)?;
-        if !self.fits::<D>(self.method.particles) {
-            let (given, neighbours) = (self.method.particles, self.method.neighbours);
-            // Rows across the tube are whole: somewhat more particles are not always closer, so each number is tried.
-            let mut enough = given.max(LEAST);
-            while !self.fits::<D>(enough) {
-                enough += 1 + enough / 100;
-            }
-            return Err(SceneError::TooFew { given, dimension: D, enough, neighbours });
-        }
-        Ok(())
-    }
-
-    /// Whether so many particles leave room for the widest support, that of the thin gas.
-    fn fits<const D: usize>(&self, particles: usize) -> bool {
-        if particles < LEAST {
-            return false;
-        }
-        let (_, mass) = TUBE.sides::<D>(particles);
-        let h = self.method.smoothing_length(D, mass / DENSITY[1]);
-        let room = match self.method.arrangement {
-            Arrangement::Lattice => LATTICE_ROOM,
-            Arrangement::Glass => GLASS_ROOM,
-        };
-        D == 1 || 2.0 * self.method.kernel.support() * h * room <= WIDTH
+        self.tube().check_room::<D>()
     }
 }
 
@@ -224,26 +185,14 @@ impl<const D: usize> Scene<D> for Sod {
         Measured { range: MEASURED, source: "GS25, section 3.1 and Eq. 20" }
     }
     fn solution(&self, time: f64) -> Result<Option<Box<dyn Solution>>, SceneError> {
-        Ok(Some(Box::new(TubeAt { problem: self.exact()?, time, gamma_minus_one: self.gamma - 1.0 })))
+        Ok(Some(Box::new(self.tube().solution(self.exact()?, time))))
     }
     /// When the first wave reaches an end of the tube.
     fn last_time(&self) -> (f64, &'static str) {
-        let Ok(exact) = self.exact() else { return (0.0, "there is no exact solution") };
-        let room = [INTERFACE, 1.0 - INTERFACE];
-        let reaches = |wave: Option<Wave<f64>>, room: f64| wave.map_or(f64::INFINITY, |w| room / w.head().abs());
-        let last = reaches(exact.left_wave(), room[0]).min(reaches(exact.right_wave(), room[1]));
-        (last, "a wave reaches the end of the tube then")
+        self.tube().last_time::<D>()
     }
     fn given_momentum(&self, time: f64) -> GivenMomentum {
-        let area = WIDTH.powi(D as i32 - 1);
-        let pressure = PRESSURE[0] - PRESSURE[1];
-        GivenMomentum::Along {
-            axis: 0,
-            momentum: pressure * area * time,
-            by: format!(
-                "the fixed layers push with the pressure of the gas at rest, P_L − P_R = {pressure} on an area of {area}"
-            ),
-        }
+        self.tube().given_momentum::<D>(time)
     }
     fn description(&self) -> Description {
         let pair = |[left, right]: [f64; 2]| format!("{left}, {right}");
@@ -266,73 +215,9 @@ impl<const D: usize> Scene<D> for Sod {
     }
 }
 
-/// The exact solution of the sharp start at one time.
-struct TubeAt {
-    problem: RiemannProblem<f64>,
-    time: f64,
-    gamma_minus_one: f64,
-}
-
-impl TubeAt {
-    fn waves(&self) -> impl Iterator<Item = Wave<f64>> {
-        [self.problem.left_wave(), self.problem.right_wave()].into_iter().flatten()
-    }
-    fn place(&self, speed: f64) -> f64 {
-        INTERFACE + speed * self.time
-    }
-}
-
-impl Solution for TubeAt {
-    fn at(&self, x: f64) -> [f64; 4] {
-        let state = self.problem.sample((x - INTERFACE) / self.time);
-        let energy = state.pressure / (self.gamma_minus_one * state.density);
-        [state.density, state.velocity, state.pressure, energy]
-    }
-    fn corners(&self) -> Vec<f64> {
-        let ends = self.waves().flat_map(|wave| match wave {
-            Wave::Rarefaction { head, tail } => vec![head, tail],
-            Wave::Shock { .. } => Vec::new(),
-        });
-        ends.map(|speed| self.place(speed)).collect()
-    }
-    fn jumps(&self) -> Vec<f64> {
-        let shocks = self.waves().filter_map(|wave| wave.shock());
-        self.problem.contact().into_iter().chain(shocks).map(|speed| self.place(speed)).collect()
-    }
-}
-
-/// The tube's box between two ends: open along it, periodic across.
-fn domain<const D: usize>(low: f64, high: f64) -> Result<Domain<D>, ParticleError> {
-    let lower = std::array::from_fn(|axis| if axis == 0 { low } else { 0.0 });
-    let upper = std::array::from_fn(|axis| if axis == 0 { high } else { WIDTH });
-    Ok(Domain::new(lower, upper, std::array::from_fn(|axis| axis > 0))?)
-}
-
-const TUBE: Tube = Tube { interface: INTERFACE, width: WIDTH, density: DENSITY };
-/// Fewer show no waves in one dimension either.
-const LEAST: usize = 40;
-/// The tube's width must be so many times a support's diameter: smoothing lengths grow a little where the thin gas is stirred.
-const LATTICE_ROOM: f64 = 1.2;
-/// The same while a glass is relaxed, where smoothing lengths overshoot: by 1.3 at most, as found.
-const GLASS_ROOM: f64 = 1.35;
-
-/// A side filled with copies of a glass, one after the other, scaled so that its density is right. In two and three dimensions the
-/// glass has as many particles across as the side.
-fn tiles<const D: usize>(side: usize, lattice: Side, depth: f64, glass: &[[f64; D]]) -> Vec<[f64; D]> {
-    let across = (glass.len() as f64).powf(1.0 / D as f64).round();
-    let (direction, length) = if side == 0 { (-1.0, INTERFACE) } else { (1.0, 1.0 - INTERFACE) };
-    let tile = lattice.along * across;
-    let copies = ((length + depth) / tile).ceil() as usize;
-    let places = (0..copies).flat_map(|k| glass.iter().map(move |point| (k, point))).filter_map(|(k, point)| {
-        let x = (k as f64 + point[0]) * tile;
-        let place = |axis| if axis == 0 { INTERFACE + direction * x } else { point[axis] * WIDTH };
-        (x < length + depth).then(|| std::array::from_fn(place))
-    });
-    places.collect()
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::Arrangement;
     use super::*;
 
     /// A lattice of `across^D` in the unit cube, as a glass would be given.

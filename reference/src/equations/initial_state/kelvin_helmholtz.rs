@@ -3,6 +3,7 @@
 use super::GasState;
 use etalon_kernels_gen::functions::{exp_negative, sine_of_turns};
 use etalon_kernels_gen::{Real, Vector, equation};
+use serde::{Deserialize, Serialize};
 
 /// The largest velocity across the layers (GS25 24).
 pub const SEED: f64 = 0.01;
@@ -18,7 +19,8 @@ pub const WIDTH: f64 = 0.025;
 pub const PRESSURE: f64 = 2.5;
 
 /// What the density does where the layers meet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Contact {
     /// It jumps, as GS25 section 3.4 says. The converged amplitude at `t = 1.5` is 0.1408.
     Sharp,

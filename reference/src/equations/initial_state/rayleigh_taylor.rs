@@ -3,6 +3,7 @@
 use super::GasState;
 use etalon_kernels_gen::functions::sine_of_turns;
 use etalon_kernels_gen::{Real, Vector, equation};
+use serde::{Deserialize, Serialize};
 
 /// Density below and above the interface (GS25 section 3.5).
 pub const DENSITY: [f64; 2] = [1.0, 2.0];
@@ -18,7 +19,8 @@ pub const LAYER: f64 = 0.4;
 pub const SEED: f64 = 0.025;
 
 /// How the pressure is set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Balance {
     /// In balance with the sharp step of the density: (25) with a layer of no height. The text asks for balance.
     Hydrostatic,

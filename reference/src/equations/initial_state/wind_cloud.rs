@@ -2,6 +2,7 @@
 
 use super::GasState;
 use etalon_kernels_gen::{Real, Vector, equation};
+use serde::{Deserialize, Serialize};
 
 /// Density of wind and cloud (GS25 section 3.6).
 pub const DENSITY: [f64; 2] = [1.0, 10.0];
@@ -15,7 +16,8 @@ pub const CENTRE: [f64; 3] = [5.0, 5.0, 5.0];
 pub const MACH: f64 = 2.7;
 
 /// What the 2.7 of the wind means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Wind {
     /// A Mach number, as GS25 section 3.6 says: a speed of 3.486.
     Mach,
