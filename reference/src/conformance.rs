@@ -5,6 +5,7 @@
 //! first order in the unit roundoff, for arithmetic as good as WGSL promises.
 
 pub mod poison;
+pub mod resume;
 pub mod runs;
 pub mod sets;
 mod updates;

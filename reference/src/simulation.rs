@@ -3,6 +3,10 @@
 //! Second order in the step. Forces depend on velocities, so the closing kick's velocities are first foretold with the old
 //! acceleration and corrected afterwards (see [`KickDrift`] and [`Correct`](crate::passes::Correct)).
 
+mod checkpoint;
+
+pub use checkpoint::Checkpoint;
+
 use crate::engine::{Engine, EngineError};
 use crate::fields;
 use crate::passes::{KickDrift, Physics};

@@ -5,4 +5,5 @@ mod bad_input;
 mod glass;
 mod misuse;
 mod order;
+mod resume;
 mod sod;

@@ -9,6 +9,7 @@ mod conservation;
 mod passes;
 #[path = "../support/random.rs"]
 mod random;
+mod resume;
 mod runs;
 mod scene;
 mod updates;
