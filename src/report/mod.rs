@@ -38,7 +38,7 @@ pub use json::{SCHEMA, SCHEMA_VERSION, from_json, to_json};
 pub use model::Report;
 pub use number::{plain, typeset};
 pub use particles::{Column, Particles, write_csv};
-pub use plot::{Plot, plots};
+pub use plot::{Curve, Plot, Words, curves, plots};
 pub use table::summary_table;
 pub use verdict::{headline, passes};
 pub use vtu::write_vtu;

@@ -7,10 +7,12 @@
 //! | `sources.rs` | the three sources of error of each run on one axis |
 //! | `time.rs` | time a particle update |
 //! | `trade.rs` | speed against error |
+//! | `curves.rs` | any curves with scatter over one coordinate |
 //! | `canvas.rs`, `axis.rs`, `rows.rs`, `theme.rs` | what they share |
 
 mod axis;
 mod canvas;
+mod curves;
 mod error;
 mod profile;
 mod rows;
@@ -18,6 +20,8 @@ mod sources;
 pub(super) mod theme;
 mod time;
 mod trade;
+
+pub use curves::{Curve, Words, curves};
 
 pub(super) use canvas::key_label;
 pub(super) use profile::capital;
