@@ -91,7 +91,7 @@ fn the_json_is_documented_and_the_plots_are_there() {
     fewer.iter_mut().for_each(|column| column.values.truncate(39));
     fewer.push(Column::new("mass", "M", vec![1.0; 39]));
     fewer.retain(|column| column.name != "velocity_y");
-    let fewer = Snapshot::new(2, fewer).unwrap().with_ids(ids).unwrap();
+    let fewer = Snapshot::new(2, fewer).unwrap().with_ids(ids).unwrap().at_time(0.2);
     tube(0.0).with_ids((0..40).collect()).unwrap().write(&place.path("a.hdf5"), Format::Hdf5).unwrap();
     fewer.write(&place.path("b.csv"), Format::Csv).unwrap();
     let mut page = Page::read("compare-schema.md");

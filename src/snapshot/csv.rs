@@ -55,7 +55,7 @@ pub fn read(path: &Path) -> Result<Snapshot, SnapshotError> {
     let dimension = AXES.iter().take_while(|axis| names.iter().any(|name| name == *axis)).count();
     let named = names.iter().zip(columns).filter(|(name, _)| *name != ID);
     let columns = named.map(|(name, values)| Column::new(name, comments.unit(name), values)).collect();
-    let told = |error: SnapshotError| error.from_file(path);
+    let told = |error: SnapshotError| error.in_file(path);
     let mut snapshot = Snapshot::new(dimension, columns).map_err(told)?;
     if names.iter().any(|name| name == ID) {
         snapshot = snapshot.with_ids(ids).map_err(told)?;

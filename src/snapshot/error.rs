@@ -42,7 +42,7 @@ impl SnapshotError {
     }
 
     /// The same, said of a file: what is no snapshot was read from there.
-    pub(super) fn from_file(self, path: &Path) -> Self {
+    pub(super) fn in_file(self, path: &Path) -> Self {
         match self {
             Self::Invalid(problem) => Self::file(path, problem),
             known => known,

@@ -7,6 +7,7 @@
 //! | file | what lives there |
 //! |---|---|
 //! | `table.rs` | the particles as columns, checked |
+//! | `capture.rs` | the particles of an engine |
 //! | `format.rs` | which format a file has |
 //! | `names.rs` | columns and how other codes call them |
 //! | `hdf5/` | HDF5, written and read |
@@ -17,6 +18,7 @@
 //! | `atomic.rs`, `error.rs` | what they share |
 
 mod atomic;
+mod capture;
 pub mod compare;
 mod csv;
 mod error;
@@ -31,6 +33,7 @@ mod testing;
 mod vtu;
 
 pub use atomic::write_bytes as write_file;
+pub use capture::capture;
 pub use error::SnapshotError;
 pub use format::Format;
 pub use table::{Column, Frame, PARTICLE_TYPE, Snapshot};

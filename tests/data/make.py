@@ -41,8 +41,8 @@ def gadget():
 
 
 def swift():
-    """As SWIFT writes: groups in the newest format, chunks that are shuffled and compressed, plural names, a box of three sides."""
-    with h5py.File(HERE / "swift.hdf5", "w", libver="latest") as file:
+    """As SWIFT writes: groups in the newer format, chunks that are shuffled and compressed, plural names, a box of three sides."""
+    with h5py.File(HERE / "swift.hdf5", "w", libver=("v108", "v110")) as file:
         header(file, 3, Time=np.array([0.25]), BoxSize=np.array([1.0, 1.0, 1.0]), Dimension=np.array([2]))
         gas = file.create_group("PartType0")
         options = {"chunks": True, "compression": "gzip", "shuffle": True, "fletcher32": True}

@@ -83,7 +83,9 @@ impl Reader {
         for name in names {
             let shown = format!("{place}/{name}");
             let broken = |error: hdf5_pure::Error| {
-                format!("the dataset {shown} cannot be read ({error}); was the file cut short?")
+                format!(
+                    "the dataset {shown} cannot be read ({error}); was the file cut short, or written in a format newer than HDF5 1.14's?"
+                )
             };
             let dataset = group.dataset(&name).map_err(broken)?;
             let shape = dataset.shape().map_err(broken)?;

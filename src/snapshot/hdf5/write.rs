@@ -20,7 +20,10 @@ pub fn write(snapshot: &Snapshot, path: &Path) -> Result<(), SnapshotError> {
     let counts: Vec<u32> = rows_of.iter().map(|rows| rows.len() as u32).collect();
     header.set_attr("NumPart_ThisFile", AttrValue::U32Array(counts.clone()));
     header.set_attr("NumPart_Total", AttrValue::U32Array(counts));
-    header.set_attr("NumPart_Total_HighWord", AttrValue::U32Array(vec![0; TYPES]));
+    header.set_attr(
+        "NumPart_Total_HighWord",
+        AttrValue::U32Array(rows_of.iter().map(|rows| (rows.len() as u64 >> 32) as u32).collect()),
+    );
     header.set_attr("MassTable", AttrValue::F64Array(vec![0.0; TYPES]));
     header.set_attr("Time", AttrValue::F64(snapshot.time().unwrap_or(0.0)));
     header.set_attr("BoxSize", AttrValue::F64(box_size(snapshot, &origin)));
@@ -160,7 +163,7 @@ fn arrays<'a>(snapshot: &'a Snapshot, origin: &[f64]) -> Vec<Array<'a>> {
         // A vector is one if it has all axes that there are.
         let stem = name.rsplit_once('_').filter(|(stem, axis)| {
             let there = |axis: &&str| column(&format!("{stem}_{axis}")).is_some();
-            !stem.is_empty() && AXES.contains(axis) && AXES[..snapshot.dimension()].iter().all(|axis| there(&axis))
+            !stem.is_empty() && AXES.contains(axis) && AXES[..snapshot.dimension()].iter().all(there)
         });
         match stem {
             Some((stem, _)) if all.iter().any(|array| array.stem == stem && array.parts.len() == 3) => {}
