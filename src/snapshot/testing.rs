@@ -2,13 +2,17 @@
 
 use super::{Column, Frame, Snapshot};
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicU32, Ordering};
 
-/// A folder of one test alone, removed at its end.
+/// A folder of its own, removed at the end.
 pub struct Place(PathBuf);
 
 impl Place {
     pub fn new(test: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("etalon-snapshot-{test}-{}", std::process::id()));
+        // Tests run side by side, and some take several places.
+        static TAKEN: AtomicU32 = AtomicU32::new(0);
+        let number = TAKEN.fetch_add(1, Ordering::Relaxed);
+        let path = std::env::temp_dir().join(format!("etalon-snapshot-{test}-{}-{number}", std::process::id()));
         let _ = std::fs::remove_dir_all(&path);
         std::fs::create_dir_all(&path).unwrap();
         Place(path)
