@@ -7,7 +7,7 @@
 //! - [`kernels`]: the number that equations are generic over, its vector lanes, its drawings and their printers;
 //! - [`simd`]: the engine on vector lanes; `wgpu`: the engine on a graphics adapter (feature `wgpu`);
 //! - [`spec`]: the ledger of the papers' equations; [`audit`]: how far each of them is from the truth, and its page;
-//! - [`report`]: what a run leaves behind;
+//! - [`report`]: what a run leaves behind; [`snapshot`]: particles in files that other programs open, time series, restart files;
 //! - [`command`]: the program `etalon`; [`fma_peak`]: what speeds are measured against.
 #![forbid(unsafe_code)]
 
@@ -22,3 +22,4 @@ pub use etalon_wgpu as wgpu;
 pub mod command;
 pub mod fma_peak;
 pub mod report;
+pub mod snapshot;

@@ -6,6 +6,7 @@
 
 pub mod external;
 pub mod poison;
+pub mod resume;
 pub mod runs;
 pub mod sets;
 mod updates;

@@ -25,6 +25,47 @@ pub fn smaller(a: f64, b: f64) -> f64 {
     if b < a || b.is_nan() { b } else { a }
 }
 
+/// In which order an engine keeps its particles. Sums over neighbours are formed in that order, so that their last bits depend on it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Arrangement {
+    /// The original number of the particle at each place; empty where particles keep their original order.
+    pub order: Vec<u32>,
+    /// How many times neighbours were searched: some engines sort their particles anew after so many.
+    pub searches: u64,
+}
+
+const NO_ORDER: &str = "this engine keeps particles in their original order, and the checkpoint is of one that does not; \
+                        resume with the engine it was made with";
+
+impl Arrangement {
+    /// Whether particles keep their original order and nobody counts searches.
+    pub fn is_original(&self) -> bool {
+        self.order.is_empty() && self.searches == 0
+    }
+
+    /// For an engine that has `current` as its order: for each place, at which place its particle is now.
+    ///
+    /// # Errors
+    /// If the order has other numbers than `current`, or one of them twice.
+    pub fn sources(&self, current: &[u32]) -> Result<Vec<u32>, EngineError> {
+        let bad = || {
+            EngineError(format!(
+                "the checkpoint's order of particles is not one of {} particles; resume with the engine it was made with",
+                current.len()
+            ))
+        };
+        let mut place_of = vec![None; current.len()];
+        for (place, &original) in (0..).zip(current) {
+            *place_of.get_mut(original as usize).ok_or_else(bad)? = Some(place);
+        }
+        if self.order.len() != current.len() {
+            return Err(bad());
+        }
+        // Taken, so that a number that comes twice is missing the second time.
+        self.order.iter().map(|&n| place_of.get_mut(n as usize).and_then(Option::take).ok_or_else(bad)).collect()
+    }
+}
+
 /// Something that holds particles and runs passes over them: the scalar reference, vector lanes, a graphics device.
 ///
 /// Values go in and out as `f64` in the particles' original order, whatever the engine does inside.
@@ -47,6 +88,18 @@ pub trait Engine<const D: usize> {
     fn write(&mut self, component: Component, values: &[f64]) -> Result<(), EngineError>;
     /// Fixed-point coordinates along one axis, by particle.
     fn coordinates(&mut self, axis: usize) -> Result<Vec<u64>, EngineError>;
+
+    /// Sets the fixed-point coordinates along one axis, by particle. What the engine's precision does not hold is refused.
+    fn place(&mut self, axis: usize, coordinates: &[u64]) -> Result<(), EngineError>;
+
+    /// How it keeps its particles, as far as the bits of its results depend on it.
+    fn arrangement(&self) -> Arrangement {
+        Arrangement::default()
+    }
+    /// Keeps its particles like that from now on; which values each of them has does not change.
+    fn arrange(&mut self, arrangement: &Arrangement) -> Result<(), EngineError> {
+        arrangement.is_original().then_some(()).ok_or_else(|| EngineError(NO_ORDER.into()))
+    }
 
     /// Gives back what memory only neighbours and passes need; before the next pass they must be found again.
     fn forget_neighbours(&mut self) {}

@@ -311,6 +311,22 @@ impl Pipeline {
         self.passes.iter().try_for_each(|pass| pass.visit(physics, &mut Run(engine)))
     }
 
+    /// The fields that a step reads before it writes them: what has to outlast a step, beside the coordinates. A run can go on from these.
+    pub fn carried<const D: usize>(&self) -> Vec<Field> {
+        let (mut carried, mut written) = (Vec::new(), Vec::new());
+        let opening = self.opening().iter().chain(self.driving).map(|u| u.footprint::<D>());
+        let closing = self.pushing.iter().chain(self.closing()).map(|u| u.footprint::<D>());
+        for footprint in opening.chain(self.passes.iter().map(|p| p.footprint::<D>())).chain(closing) {
+            for field in footprint.own.into_iter().chain(footprint.other) {
+                if !written.contains(&field) && !carried.contains(&field) {
+                    carried.push(field);
+                }
+            }
+            written.extend(footprint.out);
+        }
+        carried
+    }
+
     /// Every field a particle carries through this pipeline and its time integration, each once.
     pub fn fields<const D: usize>(&self) -> Vec<Field> {
         let mut all = STATE.to_vec();

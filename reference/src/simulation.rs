@@ -6,6 +6,10 @@
 //! What acts from outside acts at the moment for which forces are computed: driven walls have the velocity, and particles the host's force, of the
 //! step's end. A constant gravity is part of the physics and needs nothing here.
 
+mod checkpoint;
+
+pub use checkpoint::Checkpoint;
+
 use crate::engine::{Engine, EngineError, smaller};
 use crate::fields;
 use crate::passes::{KickDrift, Physics};
@@ -40,6 +44,13 @@ struct Stirring<const D: usize> {
     mass: Vec<f64>,
 }
 
+impl<const D: usize> Stirring<D> {
+    fn new<E: Engine<D>>(engine: &mut E, force: Forcing<D>) -> Result<Self, EngineError> {
+        let (mass, mobility) = (engine.read_scalar(fields::MASS)?, engine.read_scalar(fields::MOBILITY)?);
+        Ok(Stirring { force, mass: mass.into_iter().zip(mobility).map(|(mass, mobility)| mass * mobility).collect() })
+    }
+}
+
 impl<const D: usize, E: Engine<D>> Simulation<D, E> {
     /// Takes an engine with particles and computes their accelerations.
     ///
@@ -72,14 +83,7 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
             }
         }
         pipeline.start(&mut engine, physics)?;
-        let forcing = match force {
-            Some(force) => {
-                let (mass, mobility) = (engine.read_scalar(fields::MASS)?, engine.read_scalar(fields::MOBILITY)?);
-                let mass = mass.into_iter().zip(mobility).map(|(mass, mobility)| mass * mobility).collect();
-                Some(Stirring { force, mass })
-            }
-            None => None,
-        };
+        let forcing = force.map(|force| Stirring::new(&mut engine, force)).transpose()?;
         let mut simulation = Simulation { engine, physics, pipeline, time: 0.0, steps: 0, next_step: 0.0, forcing };
         let density = Pipeline::of_smoothing_lengths::<D>(&physics);
         for _ in 0..SETTLING_ROUNDS {

@@ -1,6 +1,7 @@
 //! The command line, as typed.
 
 use super::choices::{Backend, Cost, Precision, Target};
+use crate::snapshot::compare::{Along, By};
 use clap::{Args, Parser, Subcommand};
 use etalon_reference::scenes::{Arrangement, Name};
 use etalon_reference::schemes::{Dissipation, GradH, Kernel};
@@ -14,6 +15,7 @@ Examples:
   etalon run sod --backend simd --precision f32 --alone --n 1e6
   etalon explain sod --scheme AV          passes, fields, memory and work of a step
   etalon emit sod --target wgsl --out DIR  its kernels as text, to read or to port
+  etalon compare A.hdf5 B.hdf5             two snapshots, particle by particle and as profiles
   etalon bench                            speed of a step on one core
   etalon audit                            every equation of the papers against its record, in seconds
   etalon show gs25:13                     an equation: formula, reading, code, errors, tests
@@ -43,6 +45,8 @@ pub enum Command {
     Emit(EmitArguments),
     /// Measure the speed of a complete step
     Bench(BenchArguments),
+    /// Compare two snapshots, ours or another code's, particle by particle and as profiles
+    Compare(CompareArguments),
     /// Hold every equation of the papers against its record: encoded, tested, how far each target is from the truth
     Audit(AuditArguments),
     /// Show all that is known of an equation: paper, reading, code, WGSL, errors, tests
@@ -290,6 +294,41 @@ pub struct ReproduceArguments {
     #[arg(long, value_name = "NAME")]
     pub adapter: Option<String>,
     /// Folder of the results; what is done already is found there [default: etalon-out/reproduce]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `etalon compare`.
+#[derive(Clone, Debug, Args)]
+pub struct CompareArguments {
+    /// The snapshot that the other is measured against: HDF5 (GADGET, SWIFT), VTU or CSV
+    #[arg(value_name = "A")]
+    pub first: PathBuf,
+    /// The other
+    #[arg(value_name = "B")]
+    pub second: PathBuf,
+    /// Which particles belong together: id, position, or none (profile) [default: id where both have them, else position]
+    #[arg(long, value_name = "HOW")]
+    pub by: Option<By>,
+    /// How far apart particles matched by position may be [default: half the mean spacing]
+    #[arg(long, value_name = "L", value_parser = number, allow_negative_numbers = true)]
+    pub within: Option<f64>,
+    /// Along what profiles are taken: x, y, z or the radius r
+    #[arg(long, value_name = "WHAT", default_value = "x")]
+    pub along: Along,
+    /// From where radii are counted, as x,y,z [default: the middle of the box]
+    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', value_parser = number, allow_negative_numbers = true)]
+    pub centre: Option<Vec<f64>>,
+    /// Intervals of a profile
+    #[arg(long, value_name = "N", default_value = "50", value_parser = count, allow_negative_numbers = true)]
+    pub bins: usize,
+    /// Exit with 1 if a field differs by more than this anywhere, in units of the field's scale
+    #[arg(long, value_name = "X", value_parser = number, allow_negative_numbers = true)]
+    pub tolerance: Option<f64>,
+    /// Write compare.json and plots into this folder
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Print JSON

@@ -1,6 +1,7 @@
 //! Why the program stops before its work is done.
 
 use crate::report::ReportError;
+use crate::snapshot::SnapshotError;
 use etalon_reference::engine::EngineError;
 use etalon_reference::scenes::SceneError;
 use std::process::ExitCode;
@@ -38,6 +39,13 @@ impl From<SceneError> for Failure {
 impl From<EngineError> for Failure {
     fn from(error: EngineError) -> Self {
         Failure::Broken(error.to_string())
+    }
+}
+
+impl From<SnapshotError> for Failure {
+    fn from(error: SnapshotError) -> Self {
+        // A file that is not there, is damaged or cannot be written: another file or folder helps.
+        Failure::BadInput(error.to_string())
     }
 }
 

@@ -1,4 +1,4 @@
-//! The program `etalon`: `run`, `scenes`, `explain`, `emit`, `bench`, `audit`, `show`, `pages`.
+//! The program `etalon`: `run`, `scenes`, `explain`, `emit`, `bench`, `compare`, `audit`, `show`, `pages`.
 //!
 //! Results go to stdout, progress and errors to stderr. Nothing is written to disk before it is complete.
 
@@ -6,6 +6,7 @@ mod arguments;
 mod audit;
 mod bench;
 mod choices;
+mod compare;
 mod emit;
 mod explain;
 mod failure;
@@ -46,6 +47,7 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Explain(arguments) => explain::explain(&arguments).map(Done::passed),
         Command::Emit(arguments) => emit::emit(&arguments).map(Done::passed),
         Command::Bench(arguments) => bench::bench(&arguments).map(Done::passed),
+        Command::Compare(arguments) => compare::compare(&arguments),
         Command::Audit(arguments) => audit::audit(&arguments),
         Command::Show(arguments) => show::show(&arguments).map(Done::passed),
         Command::Pages(arguments) => pages::pages(&arguments),

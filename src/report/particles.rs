@@ -15,11 +15,15 @@ pub struct Column<'a> {
     pub values: &'a [f64],
 }
 
-/// Particles as columns; the row number is the particle's identity.
+/// Particles as columns; the row number is the particle's identity, unless it is said otherwise.
 #[derive(Clone, Debug)]
 pub struct Particles<'a> {
     columns: Vec<Column<'a>>,
     rows: usize,
+    /// The particles' numbers, one a row, where they are not those of their rows.
+    pub ids: Option<&'a [u64]>,
+    /// The time, where it is to be written.
+    pub time: Option<f64>,
 }
 
 impl<'a> Particles<'a> {
@@ -52,7 +56,7 @@ impl<'a> Particles<'a> {
                 return Err(ReportError::NotFinite { path: format!("{path}[{row}]") });
             }
         }
-        Ok(Self { columns, rows })
+        Ok(Self { columns, rows, ids: None, time: None })
     }
 
     /// Number of particles.
@@ -63,6 +67,11 @@ impl<'a> Particles<'a> {
     /// Whether there are no particles.
     pub fn is_empty(&self) -> bool {
         self.rows == 0
+    }
+
+    /// The number of the particle in a row.
+    pub(super) fn id(&self, row: usize) -> u64 {
+        self.ids.and_then(|ids| ids.get(row).copied()).unwrap_or(row as u64)
     }
 
     /// All columns.
@@ -76,7 +85,7 @@ impl<'a> Particles<'a> {
     }
 }
 
-/// Writes a comment line with the units, a line with the names, and one line a particle: `id` and every column, each
+/// Writes a comment line with the time where there is one, another with the units, a line with the names, and one line a particle: `id` and every column, each
 /// number in the fewest digits that give it back exactly.
 ///
 /// # Errors
@@ -87,10 +96,13 @@ pub fn write_csv(particles: &Particles, out: &mut impl Write) -> io::Result<()> 
     let one_line = |unit: &str| unit.replace(['\n', '\r'], " ");
     let units: Vec<String> =
         particles.columns().iter().map(|column| format!("{} [{}]", column.name, one_line(column.unit))).collect();
+    if let Some(time) = particles.time {
+        writeln!(out, "# time: {time:?}")?;
+    }
     writeln!(out, "# units: {}", units.join(", "))?;
     writeln!(out, "id,{}", names.join(","))?;
     for row in 0..particles.len() {
-        write!(out, "{row}")?;
+        write!(out, "{}", particles.id(row))?;
         for column in particles.columns() {
             write!(out, ",{:?}", column.values[row])?;
         }

@@ -20,6 +20,11 @@ pub fn write_vtu(particles: &Particles, out: &mut impl Write) -> io::Result<()> 
     writeln!(out, r#"<?xml version="1.0"?>"#)?;
     writeln!(out, r#"<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">"#)?;
     writeln!(out, "<UnstructuredGrid>")?;
+    if let Some(time) = particles.time {
+        writeln!(out, "<FieldData>")?;
+        array(out, r#"type="Float64" Name="TimeValue" NumberOfTuples="1""#, 8, time.to_le_bytes().into_iter())?;
+        writeln!(out, "</FieldData>")?;
+    }
     writeln!(out, r#"<Piece NumberOfPoints="{count}" NumberOfCells="{count}">"#)?;
     writeln!(out, "<Points>")?;
     let axes = ["x", "y", "z"].map(|name| particles.column(name));
@@ -32,6 +37,10 @@ pub fn write_vtu(particles: &Particles, out: &mut impl Write) -> io::Result<()> 
     array(out, r#"type="UInt8" Name="types""#, count, std::iter::repeat_n(VTK_VERTEX, count))?;
     writeln!(out, "</Cells>")?;
     writeln!(out, "<PointData>")?;
+    if particles.ids.is_some() {
+        let ids = (0..count).flat_map(|row| particles.id(row).to_le_bytes());
+        array(out, r#"type="UInt64" Name="id""#, count * 8, ids)?;
+    }
     for column in particles.columns() {
         match (column.name, column.name.rsplit_once('_')) {
             ("x" | "y" | "z", _) => {}

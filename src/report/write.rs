@@ -227,11 +227,11 @@ mod tests {
         let home = place("failure");
         let folder = home.0.join("out");
         let good = synthetic::report();
-        write(&good, None, &folder).unwrap();
+        write(&good, Vec::new(), None, &folder).unwrap();
         let mut bad = synthetic::report();
         let Outcome::Ran(measured) = &mut bad.runs[1].outcome else { panic!("the synthetic SIMD run ran") };
         measured.arithmetic_difference[3].rms = f64::NAN;
-        let error = write(&bad, None, &folder).unwrap_err().to_string();
+        let error = write(&bad, Vec::new(), None, &folder).unwrap_err().to_string();
         assert!(error.contains("arithmetic_difference[internal_energy].rms"), "{error}");
         assert_eq!(from_json(&fs::read_to_string(folder.join(JSON)).unwrap()).unwrap(), good);
         assert_eq!(listing(&home.0), ["out"]);

@@ -7,7 +7,7 @@ use crate::sweep::{BlockUpdate, InDimension, Inputs, Layout, MOST, SegmentSweep,
 use crate::timing::Timings;
 use etalon_kernels_gen::lanes::dispatch;
 use etalon_kernels_gen::{Component, Field, Footprint, Pass, Update, components};
-use etalon_reference::engine::{Engine, EngineError, smaller};
+use etalon_reference::engine::{Arrangement, Engine, EngineError, smaller};
 use etalon_reference::fields;
 use etalon_reference::particles::ParticleSet;
 use fearless_simd::Level;
@@ -268,6 +268,40 @@ impl<T: Number, const D: usize> Engine<D> for LaneEngine<T, D> {
             values[original as usize] = T::coordinate_bits(self.coordinates[axis][place]);
         }
         Ok(values)
+    }
+
+    fn place(&mut self, axis: usize, coordinates: &[u64]) -> Result<(), EngineError> {
+        if coordinates.len() != self.identity.len() {
+            let (found, wanted) = (coordinates.len(), self.identity.len());
+            return Err(EngineError(format!("axis {axis} has {found} coordinates for {wanted} particles")));
+        }
+        let held = |bits: u64| T::coordinate_bits(T::coordinate(bits)) == bits;
+        if let Some(particle) = coordinates.iter().position(|&bits| !held(bits)) {
+            return Err(EngineError(format!(
+                "the coordinate of particle {particle} on axis {axis} has more digits than single precision keeps; \
+                 use double precision"
+            )));
+        }
+        for (coordinate, &original) in self.coordinates[axis].iter_mut().zip(&self.identity) {
+            *coordinate = T::coordinate(coordinates[original as usize]);
+        }
+        Ok(())
+    }
+
+    fn arrangement(&self) -> Arrangement {
+        Arrangement { order: self.identity.clone(), searches: self.searches }
+    }
+
+    fn arrange(&mut self, arrangement: &Arrangement) -> Result<(), EngineError> {
+        let sources = arrangement.sources(&self.identity)?;
+        self.store.permute(&sources);
+        for column in &mut self.coordinates {
+            *column = sources.iter().map(|&place| column[place as usize]).collect();
+        }
+        self.identity.clone_from(&arrangement.order);
+        self.searches = arrangement.searches;
+        self.forget_neighbours();
+        Ok(())
     }
 
     fn forget_neighbours(&mut self) {

@@ -243,6 +243,15 @@ impl<T: Scalar, const D: usize> Engine<D> for PlainEngine<T, D> {
         Ok(self.coordinates[axis].clone())
     }
 
+    fn place(&mut self, axis: usize, coordinates: &[u64]) -> Result<(), EngineError> {
+        if coordinates.len() != self.count {
+            let (found, wanted) = (coordinates.len(), self.count);
+            return Err(EngineError(format!("axis {axis} has {found} coordinates for {wanted} particles")));
+        }
+        self.coordinates[axis].copy_from_slice(coordinates);
+        Ok(())
+    }
+
     fn forget_neighbours(&mut self) {
         self.neighbours = PlainNeighbours::default();
     }

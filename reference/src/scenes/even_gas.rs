@@ -159,9 +159,6 @@ impl<K: Kind> Definition for EvenGas<K> {
     fn method_mut(&mut self) -> &mut Method {
         &mut self.method
     }
-    fn gamma_mut(&mut self) -> Option<&mut f64> {
-        Some(&mut self.gamma)
-    }
 }
 
 impl<K: Kind, const D: usize> Scene<D> for EvenGas<K> {

@@ -98,9 +98,6 @@ impl Definition for KelvinHelmholtz {
     fn method_mut(&mut self) -> &mut Method {
         &mut self.method
     }
-    fn gamma_mut(&mut self) -> Option<&mut f64> {
-        Some(&mut self.gamma)
-    }
 }
 
 impl<const D: usize> Scene<D> for KelvinHelmholtz {

@@ -34,6 +34,7 @@ mod view;
 pub mod wind_cloud;
 
 pub use error::SceneError;
+pub(crate) use even::lattice;
 pub use filling::{Block, Filling};
 pub use gas_and_dust::DustySceneError;
 pub use glass::{GlassError, relax};
@@ -44,7 +45,6 @@ pub use problem::{Definition, Name, Problem, ReadChoices};
 pub use scene::{Description, GivenMomentum, Glasses, Measured, Quantity, Scene, Solution};
 pub use state::{State, Totals};
 pub use view::View;
-pub(crate) use even::lattice;
 
 use crate::choice;
 

@@ -77,9 +77,6 @@ impl Definition for StaticSquare {
     fn method_mut(&mut self) -> &mut Method {
         &mut self.method
     }
-    fn gamma_mut(&mut self) -> Option<&mut f64> {
-        Some(&mut self.gamma)
-    }
 }
 
 impl<const D: usize> Scene<D> for StaticSquare {

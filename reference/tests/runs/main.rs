@@ -8,5 +8,6 @@ mod membrane;
 mod mirror;
 mod misuse;
 mod order;
+mod resume;
 mod sod;
 mod turbulence;

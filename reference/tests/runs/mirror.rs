@@ -42,7 +42,7 @@ fn images_stay_images<const D: usize>(across: usize) {
     let velocity = run.engine().read_all(fields::VELOCITY).unwrap();
     // The flow magnifies what the order of sums makes of some 26 terms in every step; that it does so by less than a thousand is what was found.
     let tolerance = 1e3 * 26.0 * f64::EPSILON;
-    let (mut moved, mut worst) = (0.0_f64, 0.0_f64);
+    let (moved, mut worst) = (0.0_f64, 0.0_f64);
     for (axis, column) in velocity.iter().enumerate() {
         let places = run.engine().coordinates(axis).unwrap();
         for i in 0..count {

@@ -20,7 +20,6 @@ use super::setup;
 use super::sweep::{Chances, Job, Store, work};
 use comparison::Comparison;
 use etalon_spec::tables::published;
-use runs::Run;
 use std::path::{Path, PathBuf};
 
 /// Minutes that a run of the default sizes may take.

@@ -1,7 +1,7 @@
 //! An engine with something done around its stages: clocks, or noise.
 
 use etalon_kernels_gen::{Component, Field, Pass, Update};
-use etalon_reference::engine::{Engine, EngineError};
+use etalon_reference::engine::{Arrangement, Engine, EngineError};
 
 /// What of a step is done.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,6 +67,15 @@ impl<const D: usize, E: Engine<D>, A: Around<E>> Engine<D> for Wrapped<E, A> {
     }
     fn coordinates(&mut self, axis: usize) -> Result<Vec<u64>, EngineError> {
         self.engine.coordinates(axis)
+    }
+    fn place(&mut self, axis: usize, coordinates: &[u64]) -> Result<(), EngineError> {
+        self.engine.place(axis, coordinates)
+    }
+    fn arrangement(&self) -> Arrangement {
+        self.engine.arrangement()
+    }
+    fn arrange(&mut self, arrangement: &Arrangement) -> Result<(), EngineError> {
+        self.engine.arrange(arrangement)
     }
     fn forget_neighbours(&mut self) {
         self.engine.forget_neighbours();

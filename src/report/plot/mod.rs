@@ -11,10 +11,12 @@
 //! | `pareto.rs`, `front.rs`, `labels.rs` | error against cost, and the front of what nothing beats in both |
 //! | `series.rs`, `quantities.rs` | a quantity over time for several runs; those of a report |
 //! | `map.rs`, `sample.rs`, `raster.rs` | a picture of a field in the plane |
+//! | `curves.rs` | any curves with scatter over one coordinate |
 //! | `canvas.rs`, `axis.rs`, `decades.rs`, `rows.rs`, `theme.rs`, `palette.rs`, `refuse.rs` | what they share |
 
 mod axis;
 mod canvas;
+mod curves;
 mod decades;
 mod difference;
 mod error;
@@ -38,6 +40,7 @@ pub(super) mod theme;
 mod time;
 mod trade;
 
+pub use curves::{Curve, Words, curves};
 pub use difference::relative_differences;
 pub use front::pareto_front;
 pub use heat::{CellText, HeatColumn, HeatMap, HeatMatrix, heat_map};

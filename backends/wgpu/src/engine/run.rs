@@ -3,7 +3,7 @@
 use etalon_kernels_gen::emit::Header;
 use etalon_kernels_gen::trace::{Drawing, Single};
 use etalon_kernels_gen::{Component, Field, Pass, Update};
-use etalon_reference::engine::{Engine, EngineError};
+use etalon_reference::engine::{Arrangement, Engine, EngineError};
 use etalon_reference::fields;
 
 use super::work::{Work, record};
@@ -140,4 +140,47 @@ impl<const D: usize> Engine<D> for WgpuEngine<D> {
         let values = self.positions.download(&self.device, axis).map_err(told)?;
         Ok(self.by_identity(&values, |word| u64::from(word) << 32))
     }
+
+    fn place(&mut self, axis: usize, coordinates: &[u64]) -> Result<(), EngineError> {
+        if coordinates.len() != self.identity.len() {
+            let (found, wanted) = (coordinates.len(), self.identity.len());
+            return Err(EngineError(format!("axis {axis} has {found} coordinates for {wanted} particles")));
+        }
+        if let Some(particle) = coordinates.iter().position(|bits| bits & 0xffff_ffff != 0) {
+            return Err(EngineError(format!(
+                "the coordinate of particle {particle} on axis {axis} has more digits than single precision keeps; \
+                 use double precision with `--backend simd`"
+            )));
+        }
+        self.flush().map_err(told)?;
+        self.found = None;
+        let column: Vec<u32> = self.identity.iter().map(|&n| (coordinates[n as usize] >> 32) as u32).collect();
+        self.positions.upload(&self.device, axis, &column).map_err(told)
+    }
+
+    fn arrangement(&self) -> Arrangement {
+        Arrangement { order: self.identity.clone(), searches: self.searches }
+    }
+
+    fn arrange(&mut self, arrangement: &Arrangement) -> Result<(), EngineError> {
+        let sources = arrangement.sources(&self.identity)?;
+        self.flush().map_err(told)?;
+        self.found = None;
+        for slot in 0..self.slots.count() {
+            let column = self.store.download(&self.device, slot).map_err(told)?;
+            self.store.upload(&self.device, slot, &sorted(&column, &sources)).map_err(told)?;
+        }
+        for axis in 0..D {
+            let column = self.positions.download(&self.device, axis).map_err(told)?;
+            self.positions.upload(&self.device, axis, &sorted(&column, &sources)).map_err(told)?;
+        }
+        self.identity.clone_from(&arrangement.order);
+        self.searches = arrangement.searches;
+        Ok(())
+    }
+}
+
+/// At each place what is at its source now.
+fn sorted<T: Copy>(column: &[T], sources: &[u32]) -> Vec<T> {
+    sources.iter().map(|&place| column[place as usize]).collect()
 }

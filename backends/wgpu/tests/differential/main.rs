@@ -10,6 +10,7 @@ mod external;
 mod passes;
 #[path = "../support/random.rs"]
 mod random;
+mod resume;
 mod runs;
 mod scene;
 mod updates;
