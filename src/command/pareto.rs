@@ -302,7 +302,7 @@ fn usual_error(record: &Record) -> Option<String> {
 
 /// An error against the solution, or the last value of what was measured on the way.
 fn value(record: &Record, name: &str) -> Option<f64> {
-    record.l1.get(name).or_else(|| record.last.get(name)).copied()
+    record.l1.get(name).copied().or_else(|| record.last(name))
 }
 
 fn nothing_to_measure(job: &Job) -> Failure {
@@ -313,6 +313,6 @@ fn nothing_to_measure(job: &Job) -> Failure {
 }
 
 fn unknown_error(name: &str, record: &Record) -> Failure {
-    let names: Vec<&str> = record.l1.keys().chain(record.last.keys()).map(String::as_str).collect();
+    let names: Vec<&str> = record.l1.keys().chain(record.measured.keys()).map(String::as_str).collect();
     Failure::BadInput(format!("--error {name}: this scene has {}; choose one of them", names.join(", ")))
 }

@@ -12,6 +12,15 @@ pub enum Read {
     Last(&'static str),
     /// Its largest value.
     Largest(&'static str),
+    /// How fast it changes around a time.
+    Rate {
+        /// The quantity.
+        of: &'static str,
+        /// The time.
+        at: f64,
+        /// How far around it.
+        within: f64,
+    },
 }
 
 /// How a published quantity is measured here.
@@ -42,10 +51,43 @@ impl Reading {
     /// Ours, from a run; none if it did not measure it.
     pub fn of(&self, record: &Record) -> Option<f64> {
         let found = match self.read {
-            Read::Error(field) => record.l1.get(field),
-            Read::Last(name) => record.last.get(name),
-            Read::Largest(name) => record.largest.get(name),
+            Read::Error(field) => record.l1.get(field).copied(),
+            Read::Last(name) => record.last(name),
+            Read::Largest(name) => record.largest(name),
+            Read::Rate { of, at, within } => record.rate(of, at, within),
         };
         found.map(|value| value * self.depth)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use etalon_spec::tables::published;
+
+    /// A name that nothing measures, or that no paper has, would make an empty column.
+    #[test]
+    fn every_reading_names_what_there_is() {
+        let all = published().unwrap();
+        for reading in READINGS {
+            let theirs: Vec<_> = all.iter().filter(|p| p.quantity == reading.quantity).collect();
+            assert!(!theirs.is_empty(), "no paper has {}", reading.quantity);
+            assert!(theirs.iter().all(|p| p.scene.as_str() == reading.scene.name()), "{}", reading.quantity);
+            for &dimension in reading.scene.dimensions() {
+                let problem = reading.scene.standard(dimension).unwrap();
+                let (view, quantities) = match dimension {
+                    1 => (problem.scene::<1>().view(), problem.scene::<1>().quantities()),
+                    2 => (problem.scene::<2>().view(), problem.scene::<2>().quantities()),
+                    _ => (problem.scene::<3>().view(), problem.scene::<3>().quantities()),
+                };
+                let measured = |name: &str| quantities.iter().any(|quantity| quantity.name == name);
+                let known = match reading.read {
+                    Read::Error(field) => view.velocity() == field,
+                    Read::Last(name) | Read::Largest(name) => measured(name),
+                    Read::Rate { of, at, within } => measured(of) && at + within <= problem.end_time(),
+                };
+                assert!(known, "{} in {dimension}-D has no {:?}", reading.scene, reading.read);
+            }
+        }
     }
 }

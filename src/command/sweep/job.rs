@@ -44,10 +44,35 @@ pub struct Record {
     pub l1: BTreeMap<String, f64>,
     /// Change of the energy from start to end, over that at the start.
     pub energy_drift: f64,
-    /// Of everything measured on the way: the last value.
-    pub last: BTreeMap<String, f64>,
-    /// And the largest.
-    pub largest: BTreeMap<String, f64>,
+    /// When it was measured on the way, ascending.
+    pub time: Vec<f64>,
+    /// What was measured then, by name.
+    pub measured: BTreeMap<String, Vec<f64>>,
+}
+
+impl Record {
+    /// The last value of what was measured.
+    pub fn last(&self, name: &str) -> Option<f64> {
+        self.measured.get(name)?.last().copied()
+    }
+
+    /// Its largest value.
+    pub fn largest(&self, name: &str) -> Option<f64> {
+        self.measured.get(name)?.iter().copied().reduce(f64::max)
+    }
+
+    /// How fast it changes around a time: the slope of the line through all values at most `within` away from it, by least squares. None if there are fewer
+    /// than two.
+    pub fn rate(&self, name: &str, at: f64, within: f64) -> Option<f64> {
+        let values = self.measured.get(name)?;
+        let near: Vec<(f64, f64)> = self.time.iter().map(|t| t - at).zip(values.iter().copied()).collect();
+        let near: Vec<(f64, f64)> = near.into_iter().filter(|(t, _)| t.abs() <= within).collect();
+        let count = near.len() as f64;
+        let mean = near.iter().map(|(t, _)| t).sum::<f64>() / count;
+        let spread: f64 = near.iter().map(|(t, _)| (t - mean).powi(2)).sum();
+        let product: f64 = near.iter().map(|(t, value)| (t - mean) * value).sum();
+        (spread > 0.0).then(|| product / spread)
+    }
 }
 
 impl Job {
@@ -106,8 +131,8 @@ impl Job {
             bytes_per_particle: Memory::of::<D>(backend, precision, &pipeline, neighbours).total(),
             l1,
             energy_drift: drift(&finished),
-            last: of_series(&finished, |values| values.last().copied()),
-            largest: of_series(&finished, |values| values.iter().copied().reduce(f64::max)),
+            measured: finished.series.quantities.iter().map(|q| (q.name.clone(), q.value.clone())).collect(),
+            time: finished.series.time,
         })
     }
 }
@@ -116,7 +141,30 @@ fn drift(finished: &Finished) -> f64 {
     (finished.end.energy - finished.start.energy) / finished.start.energy.max(f64::MIN_POSITIVE)
 }
 
-fn of_series(finished: &Finished, of: impl Fn(&[f64]) -> Option<f64>) -> BTreeMap<String, f64> {
-    let quantities = finished.series.quantities.iter();
-    quantities.filter_map(|quantity| Some((quantity.name.clone(), of(&quantity.value)?))).collect()
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rate_is_the_slope_around_its_time() {
+        let time: Vec<f64> = (0..=20).map(|k| 0.1 * f64::from(k)).collect();
+        let kinked = time.iter().map(|t| if *t < 1.0 { 5.0 } else { 5.0 - 3.0 * (t - 1.0) }).collect();
+        let record = Record {
+            id: String::new(),
+            particles: 1,
+            steps: 1,
+            wall_seconds: 1.0,
+            operations: 1.0,
+            bytes_per_particle: 1.0,
+            l1: BTreeMap::new(),
+            energy_drift: 0.0,
+            time,
+            measured: BTreeMap::from([("mass".to_string(), kinked)]),
+        };
+        // A line is met to rounding.
+        assert!((record.rate("mass", 1.5, 0.4).unwrap() + 3.0).abs() < 1e-12);
+        assert!(record.rate("mass", 0.5, 0.4).unwrap().abs() < 1e-12);
+        assert_eq!((record.rate("mass", 9.0, 0.4), record.rate("heat", 1.0, 1.0)), (None, None));
+        assert_eq!((record.last("mass"), record.largest("mass")), (Some(2.0), Some(5.0)));
+    }
 }

@@ -78,8 +78,8 @@ mod tests {
             bytes_per_particle: 500.0,
             l1: BTreeMap::from([("density".into(), 0.1 + 0.2)]),
             energy_drift: -1e-16,
-            last: BTreeMap::new(),
-            largest: BTreeMap::new(),
+            time: vec![0.0, 0.1],
+            measured: BTreeMap::new(),
         }
     }
 
