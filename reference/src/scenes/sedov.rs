@@ -244,6 +244,9 @@ const MOST_COLD: f64 = 1e-4;
 /// A fifth of the box: the blast of a wider deposit is none from a point by the time it is looked at.
 const MOST_WIDTH: f64 = 0.2;
 
+/// Nearer to the centre, in shock radii, the internal energy is taken to be what it is there.
+const INNERMOST: f64 = 0.01;
+
 struct Blast {
     exact: Exact,
     time: f64,
@@ -253,9 +256,10 @@ struct Blast {
 impl Solution for Blast {
     fn at(&self, r: f64) -> [f64; 4] {
         let state = self.exact.at(r, self.time);
-        // In the very centre there is pressure without density, and no finite energy: a line that is drawn ends there.
-        let energy = state.pressure / (self.gamma_minus_one * state.density);
-        [state.density, state.velocity, state.pressure, if energy.is_finite() { energy } else { f64::MAX }]
+        // In the very centre there is pressure without density, and no finite energy.
+        let near = self.exact.at(r.max(INNERMOST * self.exact.shock_radius(self.time)), self.time);
+        let energy = near.pressure / (self.gamma_minus_one * near.density);
+        [state.density, state.velocity, state.pressure, energy]
     }
     fn jumps(&self) -> Vec<f64> {
         vec![self.exact.shock_radius(self.time)]
