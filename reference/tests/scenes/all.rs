@@ -1,5 +1,6 @@
 //! What is asked of every scene there is.
 
+use crate::support::particles;
 use etalon_reference::particles::ParticleSet;
 use etalon_reference::scenes::{Definition, Name, Problem, ReadChoices, Scene, SceneError, State};
 use std::collections::HashSet;
@@ -66,7 +67,7 @@ fn stands<const D: usize>(name: Name) {
         problem = name.standard(D).unwrap();
     }
     let scene: &dyn Scene<D> = problem.scene();
-    let set = scene.particles(&mut |_| Ok(Vec::new())).unwrap_or_else(|error| panic!("{name} in {D}-D: {error}"));
+    let set = particles(scene);
     let places: HashSet<[u64; D]> = set.particles().iter().map(|p| p.position.map(f64::to_bits)).collect();
     assert_eq!(places.len(), set.len(), "{name} in {D}-D: particles coincide");
     assert!(set.particles().iter().any(|p| p.mobile));
