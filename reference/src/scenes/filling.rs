@@ -121,16 +121,7 @@ impl<const D: usize> Block<D> {
         least: usize,
         thinnest: f64,
     ) -> Result<(), SceneError> {
-        let fits = |count| count >= least && self.has_room(method, periodic, count, thinnest);
-        let given = method.particles;
-        if fits(given) {
-            return Ok(());
-        }
-        let mut enough = given.max(least);
-        while !fits(enough) {
-            enough += 1 + enough / 100;
-        }
-        Err(SceneError::TooFew { given, dimension: D, enough, neighbours: method.neighbours })
+        method.check_number(D, least, |count| self.has_room(method, periodic, count, thinnest))
     }
 }
 

@@ -60,17 +60,9 @@ pub fn check_room<const D: usize>(
 ) -> Result<(), SceneError> {
     let room = |total: usize| {
         let each = layers.iter().zip(counts(layers, total));
-        total >= least && each.into_iter().all(|(layer, count)| layer.block.has_room(method, periodic, count, 1.0))
+        each.into_iter().all(|(layer, count)| layer.block.has_room(method, periodic, count, 1.0))
     };
-    let given = method.particles;
-    if room(given) {
-        return Ok(());
-    }
-    let mut enough = given.max(least);
-    while !room(enough) {
-        enough += 1 + enough / 100;
-    }
-    Err(SceneError::TooFew { given, dimension: D, enough, neighbours: method.neighbours })
+    method.check_number(D, least, room)
 }
 
 /// Layers one above the other along y, from below, with fixed layers of the same gas beyond the lowest and the highest; periodic along the other axes.

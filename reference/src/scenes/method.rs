@@ -69,6 +69,25 @@ impl Method {
         WALL.max(2.0 * self.kernel.support()) * smoothing_length
     }
 
+    /// Refuses a particle number that does not fit a scene, naming one that does.
+    pub(super) fn check_number(
+        &self,
+        dimension: usize,
+        least: usize,
+        fits: impl Fn(usize) -> bool,
+    ) -> Result<(), SceneError> {
+        let (given, neighbours) = (self.particles, self.neighbours);
+        if given >= least && fits(given) {
+            return Ok(());
+        }
+        // Rows are whole: somewhat more particles are not always closer, so each number is tried.
+        let mut enough = given.max(least);
+        while !fits(enough) {
+            enough += 1 + enough / 100;
+        }
+        Err(SceneError::TooFew { given, dimension, enough, neighbours })
+    }
+
     /// Refuses a neighbour number that no kernel can use, and coefficients that are none.
     pub fn check(&self, dimension: usize) -> Result<(), SceneError> {
         let (least, most) = [(4.0, 40.0), (10.0, 150.0), (30.0, 600.0)][dimension - 1];

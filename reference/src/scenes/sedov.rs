@@ -5,7 +5,7 @@
 
 use super::measures::Compared;
 use super::scene::{Description, GivenMomentum, Glasses, Measured, Quantity, Scene, Solution};
-use super::{Block, Definition, Method, SceneError, State, View};
+use super::{Arrangement, Block, Definition, Method, SceneError, State, View};
 use crate::domain::Domain;
 use crate::exact::sedov::Sedov as Exact;
 use crate::particles::{Particle, ParticleSet};
@@ -80,6 +80,18 @@ impl Sedov {
         Block { lower: [-HALF; D], upper: [HALF; D] }
     }
 
+    /// How many particles there are: on a lattice an even number of rows. The row through the middle of an odd one is shot along itself, where
+    /// nothing can push it aside, and its particles run into each other.
+    fn number<const D: usize>(&self) -> usize {
+        match self.method.arrangement {
+            Arrangement::Glass => self.method.particles,
+            Arrangement::Lattice => {
+                let rows = (self.method.particles as f64).powf(1.0 / D as f64);
+                (2 * (0.5 * rows).round() as usize).pow(D as u32)
+            }
+        }
+    }
+
     /// The exact solution for a deposit at a point.
     pub fn exact(&self, dimension: usize) -> Result<Exact, SceneError> {
         Exact::new(dimension, self.gamma, DENSITY, ENERGY).map_err(|error| SceneError::Choice {
@@ -103,8 +115,12 @@ impl Definition for Sedov {
     const DIMENSIONS: &'static [usize] = &[3, 2, 1];
     const SOLUTION: &'static str = "Sedov's solution";
 
+    /// A glass, as the paper has it, where there is more than one line of particles.
     fn standard(dimension: usize) -> Self {
-        let method = Method::standard(dimension, [400, 6_000, 20_000][dimension - 1]);
+        let mut method = Method::standard(dimension, [400, 6_000, 20_000][dimension - 1]);
+        if dimension > 1 {
+            method.arrangement = Arrangement::Glass;
+        }
         Sedov { method, gamma: GAMMA, deposit: Gaussian::Width, width: WIDTH, cold: COLD }
     }
     fn end_time(&self) -> f64 {
@@ -148,7 +164,7 @@ impl<const D: usize> Scene<D> for Sedov {
     fn particles(&self, glasses: &mut Glasses<D>) -> Result<ParticleSet<D>, SceneError> {
         Scene::<D>::check(self)?;
         let block = Self::block::<D>();
-        let filling = block.filled(&self.method, self.method.particles, glasses)?;
+        let filling = block.filled(&self.method, self.number::<D>(), glasses)?;
         let mass = DENSITY * filling.volume;
         let h = self.method.smoothing_length(D, filling.volume);
         let radius = |x: &[f64; D]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -241,6 +257,9 @@ const MOST_COLD: f64 = 1e-4;
 /// A fifth of the box: the blast of a wider deposit is none from a point by the time it is looked at.
 const MOST_WIDTH: f64 = 0.2;
 
+/// Nearer to the centre, in shock radii, the internal energy is taken to be what it is there.
+const INNERMOST: f64 = 0.01;
+
 struct Blast {
     exact: Exact,
     time: f64,
@@ -250,9 +269,10 @@ struct Blast {
 impl Solution for Blast {
     fn at(&self, r: f64) -> [f64; 4] {
         let state = self.exact.at(r, self.time);
-        // In the very centre there is pressure without density, and no finite energy: a line that is drawn ends there.
-        let energy = state.pressure / (self.gamma_minus_one * state.density);
-        [state.density, state.velocity, state.pressure, if energy.is_finite() { energy } else { f64::MAX }]
+        // In the very centre there is pressure without density, and no finite energy.
+        let near = self.exact.at(r.max(INNERMOST * self.exact.shock_radius(self.time)), self.time);
+        let energy = near.pressure / (self.gamma_minus_one * near.density);
+        [state.density, state.velocity, state.pressure, energy]
     }
     fn jumps(&self) -> Vec<f64> {
         vec![self.exact.shock_radius(self.time)]

@@ -8,7 +8,7 @@ use crate::exact::riemann::{RiemannError, RiemannProblem, State, Wave};
 use crate::particles::{Particle, ParticleError, ParticleSet};
 
 /// Fewer show no waves in one dimension either.
-pub const LEAST: usize = 40;
+const LEAST: usize = 40;
 /// The tube's width must be so many times a support's diameter: smoothing lengths grow a little where the thin gas is stirred.
 const LATTICE_ROOM: f64 = 1.2;
 /// The same while a glass is relaxed, where smoothing lengths overshoot: by 1.3 at most, as found.
@@ -100,23 +100,11 @@ impl ShockTube {
 
     /// Refuses too few particles, naming a number that is enough.
     pub fn check_room<const D: usize>(&self) -> Result<(), SceneError> {
-        let (given, neighbours) = (self.method.particles, self.method.neighbours);
-        if self.fits::<D>(given) {
-            return Ok(());
-        }
-        // Rows across the tube are whole: somewhat more particles are not always closer, so each number is tried.
-        let mut enough = given.max(LEAST);
-        while !self.fits::<D>(enough) {
-            enough += 1 + enough / 100;
-        }
-        Err(SceneError::TooFew { given, dimension: D, enough, neighbours })
+        self.method.check_number(D, LEAST, |particles| self.fits::<D>(particles))
     }
 
     /// Whether so many particles leave room for the widest support, that of the thinner gas.
     fn fits<const D: usize>(&self, particles: usize) -> bool {
-        if particles < LEAST {
-            return false;
-        }
         let tube = self.tube();
         let (_, mass) = tube.sides::<D>(particles);
         let h = self.method.smoothing_length(D, mass / tube.density[0].min(tube.density[1]));

@@ -51,9 +51,9 @@ impl StaticSquare {
         Block { lower: [SQUARE.0; D], upper: [SQUARE.1; D] }
     }
     /// Rows of the gas around along each axis: four or a multiple, so that the square's sides are between two of them.
-    fn rows<const D: usize>(&self) -> usize {
+    fn rows<const D: usize>(&self, particles: usize) -> usize {
         let square = Self::square::<D>().volume();
-        let around = self.method.particles as f64 / (1.0 + square * (self.density - 1.0));
+        let around = particles as f64 / (1.0 + square * (self.density - 1.0));
         4 * ((around.powf(1.0 / D as f64) / 4.0).round() as usize).max(1)
     }
 }
@@ -94,15 +94,21 @@ impl<const D: usize> Scene<D> for StaticSquare {
             return Err(SceneError::Choice { name: "density", given: self.density.to_string(), rule });
         }
         self.method.check(D)?;
-        // The widest supports are those of the thinner gas.
-        let mean = 1.0 + Self::square::<D>().volume() * (self.density - 1.0);
-        Self::whole::<D>().check_room(&self.method, [true; D], LEAST, mean / self.density.min(AROUND))
+        let (whole, square) = (Self::whole::<D>(), Self::square::<D>());
+        let fits = |particles: usize| {
+            let around = self.rows::<D>(particles).pow(D as u32);
+            let inside = (square.volume() * self.density * around as f64).round().max(1.0) as usize;
+            // The widest supports are those of the thinner gas. Nothing is periodic about the square, but a glass that fills it is.
+            whole.has_room(&self.method, [true; D], around, (AROUND / self.density).max(1.0))
+                && square.has_room(&self.method, [false; D], inside, 1.0)
+        };
+        self.method.check_number(D, LEAST, fits)
     }
     fn particles(&self, glasses: &mut Glasses<D>) -> Result<ParticleSet<D>, SceneError> {
         Scene::<D>::check(self)?;
         let (whole, square) = (Self::whole::<D>(), Self::square::<D>());
         let in_square = |x: &[f64; D]| x.iter().all(|x| (SQUARE.0..SQUARE.1).contains(x));
-        let around = whole.filled(&self.method, self.rows::<D>().pow(D as u32), glasses)?;
+        let around = whole.filled(&self.method, self.rows::<D>(self.method.particles).pow(D as u32), glasses)?;
         let outer: Vec<[f64; D]> = around.places.into_iter().filter(|x| !in_square(x)).collect();
         let outer_volume = (whole.volume() - square.volume()) / outer.len() as f64;
         // As many as have the mass of those around.

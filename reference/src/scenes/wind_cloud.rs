@@ -96,7 +96,7 @@ impl Definition for WindCloud {
 
     /// With the conduction that the paper's code has here.
     fn standard(dimension: usize) -> Self {
-        let mut method = Method::standard(dimension, 16_000);
+        let mut method = Method::standard(dimension, 20_000);
         method.viscosity.conduction = Viscosity::CONDUCTION;
         WindCloud { method, wind: Wind::Mach, gamma: GAMMA }
     }
@@ -122,7 +122,14 @@ impl<const D: usize> Scene<D> for WindCloud {
         SceneError::unless_in::<Self>("wind-cloud", D)?;
         SceneError::unless_above("gamma", self.gamma, 1.0)?;
         self.method.check(D)?;
-        Self::whole::<D>().check_room(&self.method, [true; D], LEAST, 1.0)
+        let whole = Self::whole::<D>();
+        let fits = |count: usize| {
+            let (cube, of_cloud) = Self::cube::<D>(DENSITY[0] * whole.volume() / count as f64);
+            // Nothing is periodic about the cloud, but a glass that it is cut from is.
+            whole.has_room(&self.method, [true; D], count, 1.0)
+                && cube.has_room(&self.method, [false; D], of_cloud, 1.0)
+        };
+        self.method.check_number(D, LEAST, fits)
     }
     fn particles(&self, glasses: &mut Glasses<D>) -> Result<ParticleSet<D>, SceneError> {
         Scene::<D>::check(self)?;

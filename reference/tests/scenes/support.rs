@@ -5,9 +5,16 @@ use etalon_reference::particles::ParticleSet;
 use etalon_reference::scenes::{Scene, State};
 use etalon_reference::simulation::Simulation;
 
-/// The particles a scene starts from on a lattice.
+/// A lattice of `across^D` in the unit cube, in the place of a glass.
+pub fn regular<const D: usize>(across: usize) -> Vec<[f64; D]> {
+    let place =
+        |i: usize| std::array::from_fn(|axis| ((i / across.pow(axis as u32) % across) as f64 + 0.5) / across as f64);
+    (0..across.pow(D as u32)).map(place).collect()
+}
+
+/// The particles a scene starts from.
 pub fn particles<const D: usize>(scene: &dyn Scene<D>) -> ParticleSet<D> {
-    scene.particles(&mut |_| Ok(Vec::new())).unwrap_or_else(|error| panic!("{error}"))
+    scene.particles(&mut |across| Ok(regular(across))).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Its states at these times, which rise; zero is the start.

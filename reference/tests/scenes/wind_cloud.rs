@@ -1,8 +1,7 @@
 //! The cloud has its mass and the wind its speed; what is left of the cloud is measured from what was found at the start.
 
-use crate::support::{mass_and_energy, near, series};
+use crate::support::{mass_and_energy, near, particles, series};
 use etalon_reference::equations::initial_state::wind_cloud::Wind;
-use etalon_reference::particles::ParticleSet;
 use etalon_reference::scenes::wind_cloud::{WindCloud, destruction_rate};
 use etalon_reference::scenes::{Arrangement, Definition, Scene};
 use std::f64::consts::FRAC_PI_3;
@@ -13,19 +12,12 @@ fn cloud(particles: usize) -> WindCloud {
     scene
 }
 
-/// A lattice of `across^3` in the unit cube, as a glass would be given.
-fn regular(across: usize) -> Vec<[f64; 3]> {
-    let place =
-        |i: usize| std::array::from_fn(|axis| ((i / across.pow(axis as u32) % across) as f64 + 0.5) / across as f64);
-    (0..across.pow(3)).map(place).collect()
-}
-
 #[test]
 fn it_starts_as_the_paper_says() {
     for arrangement in [Arrangement::Lattice, Arrangement::Glass] {
         let mut scene = cloud(32_000);
         scene.method.arrangement = arrangement;
-        let set: ParticleSet<3> = scene.particles(&mut |across| Ok(regular(across))).unwrap();
+        let set = particles::<3>(&scene);
         let ball = 4.0 * FRAC_PI_3;
         near("mass", mass_and_energy(&set).0, 4000.0 + 9.0 * ball, 2e-3);
         let resting: Vec<_> = set.particles().iter().filter(|p| p.velocity[0] == 0.0).collect();
@@ -39,7 +31,7 @@ fn it_starts_as_the_paper_says() {
         near("wind", fastest, 3.485_685, 1e-6);
     }
     let slow = WindCloud { wind: Wind::Speed, ..cloud(4000) };
-    let set: ParticleSet<3> = slow.particles(&mut |_| Ok(Vec::new())).unwrap();
+    let set = particles::<3>(&slow);
     assert_eq!(set.particles().iter().map(|p| p.velocity[0]).fold(0.0, f64::max), 2.7);
 }
 
