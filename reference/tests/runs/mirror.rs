@@ -40,15 +40,16 @@ fn images_stay_images<const D: usize>(across: usize) {
     run.run(0.1, |_| {}).unwrap();
     assert!(run.steps() > 5, "{} steps", run.steps());
     let velocity = run.engine().read_all(fields::VELOCITY).unwrap();
-    // The flow magnifies what the order of sums makes of some 26 terms in every step; that it does so by less than a thousand is what was found.
-    let tolerance = 1e3 * 26.0 * f64::EPSILON;
-    let (moved, mut worst) = (0.0_f64, 0.0_f64);
+    // The order of sums rounds some 26 terms otherwise; the flow magnifies that by less than ten in so short a time.
+    let tolerance = 10.0 * 26.0 * f64::EPSILON;
+    let (mut moved, mut worst) = (0.0_f64, 0.0_f64);
     for (axis, column) in velocity.iter().enumerate() {
         let places = run.engine().coordinates(axis).unwrap();
         for i in 0..count {
             let (here, there) = (places[i], places[i + count]);
             let sign = if axis == 0 { -1.0 } else { 1.0 };
             let off = (column[i + count] - sign * column[i]).abs();
+            worst = worst.max(off);
             assert!(
                 off < tolerance,
                 "{D}-D, axis {axis}, particle {i}: velocity off by {off:e}, tolerance {tolerance:e}"
