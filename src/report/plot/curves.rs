@@ -70,8 +70,9 @@ mod tests {
 
     #[test]
     fn curves_have_a_legend_marks_and_bars() {
-        let curve =
-            |label: &str, scatter| Curve { label: label.into(), points: vec![[0.0, 1.0, scatter], [1.0, 2.0, 0.0]] };
+        // The bar ends within the range of the values, so that both plots have the same axes.
+        let points = |scatter| vec![[0.0, 0.0, 0.0], [1.0, 2.0, scatter], [2.0, 4.0, 0.0]];
+        let curve = |label: &str, scatter| Curve { label: label.into(), points: points(scatter) };
         let words = Words { file: "a.svg", title: "Density", caption: "", x_label: "x" };
         let two = curves(words, &[curve("one.csv", 0.5), curve("two.csv", 0.0)]).unwrap();
         let svg = two.svg();
