@@ -4,11 +4,13 @@
 //! error bound ([`Bounded`]): the tolerance of every single number follows from the operations that led to it. It is proven to
 //! first order in the unit roundoff, for arithmetic as good as WGSL promises.
 
+mod mixtures;
 pub mod poison;
 pub mod runs;
 pub mod sets;
 mod updates;
 
+pub use mixtures::check_mixtures;
 pub use updates::check_updates;
 
 use crate::engine::{Engine, EngineError, PlainEngine};
@@ -253,13 +255,26 @@ pub fn check_dimension<const D: usize, P: Roundoff, E: Engine<D>>(
             let across = [24, 10, 9][D - 1];
             let set =
                 sets::set::<D>(difficulty, across, &physics, 1 + round as u64).map_err(EngineError::from_display)?;
-            let fields = Pipeline::of_scene::<D>(&physics).fields::<D>();
-            let mut engine = make(&set, &fields)?;
             let place = format!("{D}-D, {difficulty:?}, {}, {}, {}", scene.dissipation, scene.kernel, scene.grad_h);
-            let verdicts = check_passes::<D, P, E>(&set, physics, &mut engine)
-                .map_err(|e| EngineError(format!("{place}: {e}")))?;
-            summary.add::<P>(&place, D, difficulty, verdicts);
+            check_set::<D, P, E>(&mut summary, &mut make, &set, physics, difficulty, &place)?;
         }
     }
     Ok(summary)
+}
+
+/// All passes on one set.
+fn check_set<const D: usize, P: Roundoff, E: Engine<D>>(
+    summary: &mut Summary,
+    make: &mut impl FnMut(&ParticleSet<D>, &[Field]) -> Result<E, EngineError>,
+    set: &ParticleSet<D>,
+    physics: Physics,
+    difficulty: Difficulty,
+    place: &str,
+) -> Result<(), EngineError> {
+    let fields = Pipeline::of_scene::<D>(&physics).fields::<D>();
+    let mut engine = make(set, &fields)?;
+    let verdicts =
+        check_passes::<D, P, E>(set, physics, &mut engine).map_err(|e| EngineError(format!("{place}: {e}")))?;
+    summary.add::<P>(place, D, difficulty, verdicts);
+    Ok(())
 }
