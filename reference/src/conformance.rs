@@ -5,12 +5,14 @@
 //! first order in the unit roundoff, for arithmetic as good as WGSL promises.
 
 pub mod external;
+mod mixtures;
 pub mod poison;
 pub mod resume;
 pub mod runs;
 pub mod sets;
 mod updates;
 
+pub use mixtures::check_mixtures;
 pub use updates::check_updates;
 
 use crate::engine::{Engine, EngineError, PlainEngine};
@@ -256,16 +258,29 @@ pub fn check_dimension<const D: usize, P: Roundoff, E: Engine<D>>(
             let across = [24, 10, 9][D - 1];
             let set =
                 sets::set::<D>(difficulty, across, &physics, 1 + round as u64).map_err(EngineError::from_display)?;
-            let fields = Pipeline::of_scene::<D>(&physics).fields::<D>();
-            let mut engine = make(&set, &fields)?;
             let place = format!(
                 "{D}-D, {difficulty:?}, {}, {}, {}",
                 physics.viscosity.dissipation, physics.kernel, physics.grad_h
             );
-            let verdicts = check_passes::<D, P, E>(&set, physics, &mut engine)
-                .map_err(|e| EngineError(format!("{place}: {e}")))?;
-            summary.add::<P>(&place, D, difficulty, verdicts);
+            check_set::<D, P, E>(&mut summary, &mut make, &set, physics, difficulty, &place)?;
         }
     }
     Ok(summary)
+}
+
+/// All passes on one set.
+fn check_set<const D: usize, P: Roundoff, E: Engine<D>>(
+    summary: &mut Summary,
+    make: &mut impl FnMut(&ParticleSet<D>, &[Field]) -> Result<E, EngineError>,
+    set: &ParticleSet<D>,
+    physics: Physics,
+    difficulty: Difficulty,
+    place: &str,
+) -> Result<(), EngineError> {
+    let fields = Pipeline::of_scene::<D>(&physics).fields::<D>();
+    let mut engine = make(set, &fields)?;
+    let verdicts =
+        check_passes::<D, P, E>(set, physics, &mut engine).map_err(|e| EngineError(format!("{place}: {e}")))?;
+    summary.add::<P>(place, D, difficulty, verdicts);
+    Ok(())
 }

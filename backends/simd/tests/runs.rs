@@ -6,8 +6,9 @@ use etalon_reference::conformance::sets::{Difficulty, set};
 use etalon_reference::particles::ParticleSet;
 use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
+use etalon_reference::scenes::dustyshock::DustyShock;
 use etalon_reference::scenes::sod::Sod;
-use etalon_reference::schemes::{Dissipation, Viscosity};
+use etalon_reference::schemes::{Dissipation, Drag, Viscosity};
 use etalon_simd::{LaneEngine, Options};
 
 /// One level is enough: all give the same bits (`same_bits.rs`).
@@ -42,4 +43,11 @@ fn disordered_gas_in_three_dimensions() {
     let physics = Sod::standard(3).physics();
     let set = set::<3>(Difficulty::None, 9, &physics, 3).unwrap();
     follow::<3>(&set, physics, 0.02);
+}
+
+/// Dust that streams through gas, with drag reconstructed.
+#[test]
+fn gas_with_dust_in_one_dimension() {
+    let scene = DustyShock { drag: Drag::of(20.0), ..DustyShock::standard(1) };
+    follow::<1>(&scene.particles::<1>().unwrap(), scene.physics(), 0.05);
 }

@@ -6,8 +6,11 @@ use etalon_kernels_gen::{Pass, Update};
 use etalon_reference::passes::{KickDrift, Physics};
 use etalon_reference::pipeline::{PassKind, PassVisitor, Pipeline, UpdateVisitor};
 use etalon_reference::scenes::sod::Sod;
-use etalon_reference::schemes::{Dissipation, GradH, Kernel, Viscosity};
+use etalon_reference::schemes::{
+    CommonPoint, Dissipation, Drag, DragReconstruction, GradH, Kernel, SlopeLimiter, Viscosity,
+};
 use etalon_wgpu::{Slots, pass_text, update_text, validate, wgsl};
+use std::collections::BTreeSet;
 
 const HEAD: Header<'static> = Header { command: "etalon emit --target wgsl", definition: "reference/src/passes" };
 
@@ -75,6 +78,52 @@ fn every_text_is_valid_in_every_dimension() {
     all_valid::<1>();
     all_valid::<2>();
     all_valid::<3>();
+}
+
+/// Every form of drag, and every pass there is for gas with dust. Valid, with no more buffers than there are.
+fn all_of_mixtures_valid<const D: usize>() {
+    let mut seen = BTreeSet::new();
+    let drags = CommonPoint::ALL.iter().flat_map(|&point| {
+        SlopeLimiter::ALL.iter().map(move |&limiter| Drag {
+            reconstruction: DragReconstruction { point, limiter },
+            entropy_fix: limiter == SlopeLimiter::Minmod,
+            ..Drag::of(1000.0)
+        })
+    });
+    let usual = physics::<D>(Dissipation::AvSlrB2);
+    let with_drags = drags.map(|drag| Physics { drag: Some(drag), ..usual });
+    let schemes = Dissipation::ALL.iter().map(|&dissipation| {
+        let viscosity = Viscosity { conduction: Viscosity::CONDUCTION, ..Viscosity::of(dissipation) };
+        Physics { viscosity, drag: Some(Drag::of(1000.0)), ..usual }
+    });
+    for physics in with_drags.chain(schemes) {
+        seen.extend(Pipeline::of_scene::<D>(&physics).passes().to_vec().into_iter().map(|pass| format!("{pass:?}")));
+        for (name, text) in texts::<D>(physics) {
+            validate(name, &text).unwrap_or_else(|error| panic!("{D}-D {physics:?}: {error}\n{text}"));
+            let bindings = text.matches("var<storage").count();
+            assert!(bindings <= 8, "{name} uses {bindings} storage buffers");
+        }
+    }
+    let all = PassKind::ALL.iter().filter(|pass| pass.is_of_mixture()).count();
+    assert_eq!(seen.len(), all, "{seen:?}");
+}
+
+#[test]
+fn every_text_of_a_mixture_is_valid_in_every_dimension() {
+    all_of_mixtures_valid::<1>();
+    all_of_mixtures_valid::<2>();
+    all_of_mixtures_valid::<3>();
+}
+
+/// The whole of drag in one dimension, and what a mask around a sweep of the gas looks like.
+#[test]
+fn gas_with_dust_reads_like_code() {
+    let gas = physics::<1>(Dissipation::Av);
+    for (name, text) in texts::<1>(Physics { drag: Some(Drag::of(1000.0)), ..gas }) {
+        if ["volume_elements", "linear_gradients", "reconstructed_drag_forces"].contains(&name) {
+            insta::assert_snapshot!(format!("1d_dust_{name}"), generated(1, &text));
+        }
+    }
 }
 
 #[test]

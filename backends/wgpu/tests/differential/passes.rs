@@ -3,7 +3,7 @@
 //! tolerance is chosen here.
 
 use etalon_kernels_gen::trace::Single;
-use etalon_reference::conformance::check_dimension;
+use etalon_reference::conformance::{Summary, check_dimension, check_mixtures};
 use etalon_wgpu::WgpuEngine;
 
 use crate::adapter::device;
@@ -11,7 +11,16 @@ use crate::adapter::device;
 fn conforms<const D: usize>() {
     let Some(device) = device() else { return };
     let summary = check_dimension::<D, Single, _>(|set, fields| WgpuEngine::new(set, fields, device.clone()));
-    let summary = summary.unwrap();
+    holds::<D>(summary.unwrap());
+}
+
+fn mixtures_conform<const D: usize>() {
+    let Some(device) = device() else { return };
+    let summary = check_mixtures::<D, Single, _>(|set, fields| WgpuEngine::new(set, fields, device.clone()));
+    holds::<D>(summary.unwrap());
+}
+
+fn holds<const D: usize>(summary: Summary) {
     let (place, worst) = summary.worst.expect("nothing was compared");
     eprintln!("{D}-D: {} numbers; nearest to its bound: {place}: {worst}", summary.compared);
     let (place, loosest) = summary.loosest.expect("no set without difficulty");
@@ -33,4 +42,11 @@ fn passes_in_two_dimensions_stay_within_the_bound() {
 #[test]
 fn passes_in_three_dimensions_stay_within_the_bound() {
     conforms::<3>();
+}
+
+#[test]
+fn passes_of_gas_with_dust_stay_within_the_bound() {
+    mixtures_conform::<1>();
+    mixtures_conform::<2>();
+    mixtures_conform::<3>();
 }

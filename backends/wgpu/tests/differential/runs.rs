@@ -5,8 +5,9 @@ use etalon_reference::domain::Domain;
 use etalon_reference::equations::reconstruction::smoothing_length_holding;
 use etalon_reference::particles::{Particle, ParticleSet};
 use etalon_reference::passes::Physics;
+use etalon_reference::scenes::dustyshock::DustyShock;
 use etalon_reference::scenes::sod::Sod;
-use etalon_reference::schemes::{Dissipation, Viscosity};
+use etalon_reference::schemes::{Dissipation, Drag, Viscosity};
 
 use crate::adapter::device;
 use crate::random::Random;
@@ -34,6 +35,13 @@ fn the_shock_tube_in_two_dimensions() {
     let scene = Sod::standard(2).with(|m| (m.particles, m.viscosity) = (3000, Viscosity::of(Dissipation::AvSlrB2F)));
     let set = scene.particles::<2>(|_| Ok(Vec::new())).unwrap();
     follow("2-D shock tube", &set, scene.physics(), 0.01);
+}
+
+/// Dust that streams through gas, with drag reconstructed.
+#[test]
+fn gas_with_dust_in_one_dimension() {
+    let scene = DustyShock { drag: Drag::of(20.0), ..DustyShock::standard(1) };
+    follow("1-D dusty shock", &scene.particles::<1>().unwrap(), scene.physics(), 0.05);
 }
 
 /// The tube would need many more particles to be as wide as a support in three dimensions.
