@@ -44,15 +44,16 @@ fn followed<const D: usize>(scene: &dyn Scene<D>, threads: usize) -> (Vec<u64>, 
         let fields = Pipeline::of_scene::<D>(&physics).fields::<D>();
         let engine = LaneEngine::<f64, D>::new(&set, &fields, Options::default());
         let mut simulation = Simulation::new(engine, physics).unwrap();
+        let domain: Domain<D> = *set.domain();
+        let start = State::read(simulation.engine(), &domain, 0.0).unwrap();
         for _ in 0..STEPS {
             simulation.step(f64::INFINITY).unwrap();
         }
         let time = simulation.time();
-        let domain: Domain<D> = *set.domain();
         let state = State::read(simulation.engine(), &domain, time).unwrap();
         let columns = state.position.iter().chain(&state.velocity).chain([&state.density, &state.internal_energy]);
         let bits = columns.flatten().map(|value| value.to_bits()).collect();
-        let values = scene.observe(&state).unwrap();
+        let values = scene.observe_since(&start, &state).unwrap();
         let names = scene.quantities().into_iter().map(|quantity| quantity.name);
         let mut measured =
             vec![("time", time), ("kinetic_energy_of_all", kinetic(&state)), ("heat_of_all", heat(&state))];

@@ -12,6 +12,7 @@ pub struct Observer<'a, const D: usize> {
     scene: &'a dyn Scene<D>,
     every: f64,
     next: f64,
+    start: Option<State>,
     times: Vec<f64>,
     values: Vec<Vec<f64>>,
 }
@@ -20,7 +21,7 @@ impl<'a, const D: usize> Observer<'a, D> {
     /// Of a run until `end`, with so much time between two measurements.
     pub fn new(scene: &'a dyn Scene<D>, every: Option<f64>, end: f64) -> Self {
         let values = scene.quantities().iter().map(|_| Vec::new()).collect();
-        Observer { scene, every: every.unwrap_or(end / USUAL), next: 0.0, times: Vec::new(), values }
+        Observer { scene, every: every.unwrap_or(end / USUAL), next: 0.0, start: None, times: Vec::new(), values }
     }
 
     /// Whether something is to be measured at a time; `last` at the end.
@@ -29,14 +30,15 @@ impl<'a, const D: usize> Observer<'a, D> {
     }
 
     /// Measures.
-    pub fn measure(&mut self, state: &State) -> Result<(), SceneError> {
-        let values = self.scene.observe(state)?;
+    pub fn measure(&mut self, state: State) -> Result<(), SceneError> {
+        let values = self.scene.observe_since(self.start.as_ref().unwrap_or(&state), &state)?;
         self.times.push(state.time);
         for (column, value) in self.values.iter_mut().zip(values) {
             column.push(value);
         }
         // Several marks may have gone by in one step.
         self.next = self.every * ((state.time / self.every).floor() + 1.0);
+        self.start.get_or_insert(state);
         Ok(())
     }
 

@@ -104,7 +104,7 @@ impl<const D: usize> Task<'_, D> {
             let (clock, time) = (Instant::now(), simulation.time());
             if observer.wants(time, time >= self.end_time) {
                 let state = State::read(simulation.engine(), domain, time).map_err(wrong)?;
-                observer.measure(&state).map_err(|error| Failure::Broken(format!("{label}: {error}")))?;
+                observer.measure(state).map_err(|error| Failure::Broken(format!("{label}: {error}")))?;
             }
             Ok(clock.elapsed())
         };

@@ -11,6 +11,7 @@ use crate::command::run::simulate::{Finished, Task};
 use crate::command::run::{compare, particles};
 use crate::command::setup::Setup;
 use etalon_reference::pipeline::Pipeline;
+use etalon_reference::scenes::wind_cloud::destruction_rate;
 use fearless_simd::Level;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -64,14 +65,7 @@ impl Record {
     /// How fast it changes around a time: the slope of the line through all values at most `within` away from it, by least squares. None if there are fewer
     /// than two.
     pub fn rate(&self, name: &str, at: f64, within: f64) -> Option<f64> {
-        let values = self.measured.get(name)?;
-        let near: Vec<(f64, f64)> = self.time.iter().map(|t| t - at).zip(values.iter().copied()).collect();
-        let near: Vec<(f64, f64)> = near.into_iter().filter(|(t, _)| t.abs() <= within).collect();
-        let count = near.len() as f64;
-        let mean = near.iter().map(|(t, _)| t).sum::<f64>() / count;
-        let spread: f64 = near.iter().map(|(t, _)| (t - mean).powi(2)).sum();
-        let product: f64 = near.iter().map(|(t, value)| (t - mean) * value).sum();
-        (spread > 0.0).then(|| product / spread)
+        destruction_rate(&self.time, self.measured.get(name)?, at, within)
     }
 }
 
