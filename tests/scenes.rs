@@ -43,7 +43,10 @@ fn followed<const D: usize>(scene: &dyn Scene<D>, threads: usize) -> (Vec<u64>, 
         let physics = scene.physics();
         let fields = Pipeline::of_scene::<D>(&physics).fields::<D>();
         let engine = LaneEngine::<f64, D>::new(&set, &fields, Options::default());
-        let mut simulation = Simulation::new(engine, physics).unwrap();
+        let mut simulation = match scene.forcing().unwrap() {
+            Some(force) => Simulation::with_forcing(engine, physics, force).unwrap(),
+            None => Simulation::new(engine, physics).unwrap(),
+        };
         let domain: Domain<D> = *set.domain();
         let start = State::read(simulation.engine(), &domain, 0.0).unwrap();
         for _ in 0..STEPS {

@@ -12,8 +12,8 @@ pub struct UnknownName {
     pub allowed: Vec<&'static str>,
 }
 
-/// Declares an enum whose variants have names that users write, upper and lower case alike: `ALL`, `name()`, and conversion from
-/// and to text, where a wrong name is an [`UnknownName`] that lists the right ones.
+/// Declares an enum whose variants have names that users write, upper and lower case alike: `ALL`, `name()`, conversion from
+/// and to text and through serde by that name, where a wrong name is an [`UnknownName`] that lists the right ones.
 ///
 /// ```
 /// etalon_reference::choice! {
@@ -45,6 +45,17 @@ macro_rules! choice {
         impl ::std::fmt::Display for $type {
             fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
                 f.pad(self.name())
+            }
+        }
+        impl ::serde::Serialize for $type {
+            fn serialize<S: ::serde::Serializer>(&self, serializer: S) -> ::std::result::Result<S::Ok, S::Error> {
+                serializer.serialize_str(self.name())
+            }
+        }
+        impl<'de> ::serde::Deserialize<'de> for $type {
+            fn deserialize<D: ::serde::Deserializer<'de>>(deserializer: D) -> ::std::result::Result<Self, D::Error> {
+                let name = <::std::string::String as ::serde::Deserialize>::deserialize(deserializer)?;
+                name.parse().map_err(::serde::de::Error::custom)
             }
         }
         impl ::std::str::FromStr for $type {

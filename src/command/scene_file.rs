@@ -14,10 +14,8 @@
 
 use etalon_reference::scenes::{Arrangement, Definition, Method, Name, Problem, ReadChoices};
 use etalon_reference::schemes::{Dissipation, GradH, Kernel, Viscosity};
-use serde::de::Error as _;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 use std::ops::Range;
-use std::str::FromStr;
 
 /// The top level; `P` is what is read of the problem's own choices.
 #[derive(Debug, Deserialize)]
@@ -47,18 +45,14 @@ pub struct MethodChanges {
     /// About how many particles.
     pub particles: Option<usize>,
     /// How they start.
-    #[serde(deserialize_with = "named")]
     pub start: Option<Arrangement>,
     /// The kernel.
-    #[serde(deserialize_with = "named")]
     pub kernel: Option<Kernel>,
     /// Neighbours within a support.
     pub neighbours: Option<f64>,
     /// The dissipation scheme.
-    #[serde(deserialize_with = "named")]
     pub scheme: Option<Dissipation>,
     /// The grad-h form.
-    #[serde(deserialize_with = "named")]
     pub grad_h: Option<GradH>,
     /// Linear coefficient of the viscosity.
     pub alpha: Option<f64>,
@@ -74,13 +68,6 @@ pub struct MethodChanges {
     pub wave_period: Option<f64>,
     /// Coefficient of artificial conduction.
     pub conduction: Option<f64>,
-}
-
-/// A choice by its name.
-fn named<'de, D: Deserializer<'de>, T: FromStr<Err: std::fmt::Display>>(
-    deserializer: D,
-) -> Result<Option<T>, D::Error> {
-    String::deserialize(deserializer)?.parse().map(Some).map_err(D::Error::custom)
 }
 
 impl MethodChanges {

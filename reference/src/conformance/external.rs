@@ -11,7 +11,7 @@ use crate::fields;
 use crate::particles::{Particle, ParticleSet};
 use crate::passes::{Driver, Physics};
 use crate::pipeline::Pipeline;
-use crate::scenes::lattice;
+use crate::scenes::Block;
 use crate::scenes::sod::Sod;
 use crate::simulation::Simulation;
 use crate::turbulence::forcing::{Driving, Forcing};
@@ -31,7 +31,7 @@ const FAR: f64 = 10.0;
 /// A unit box of gas at rest on a lattice.
 fn even<const D: usize>(physics: &Physics) -> Result<ParticleSet<D>, EngineError> {
     // Powers of two, whose places the grid of coordinates has exactly.
-    let across = [32, 16, 8][D - 1];
+    let across: usize = [32, 16, 8][D - 1];
     let spacing = 1.0 / across as f64;
     let particle = |position| Particle {
         position,
@@ -47,7 +47,8 @@ fn even<const D: usize>(physics: &Physics) -> Result<ParticleSet<D>, EngineError
         mobile: true,
     };
     let domain = Domain::new([0.0; D], [1.0; D], [true; D]).map_err(EngineError::from_display)?;
-    let particles = lattice([across; D], spacing).into_iter().map(particle).collect();
+    let block = Block { lower: [0.0; D], upper: [1.0; D] };
+    let particles = block.lattice(across.pow(D as u32)).places.into_iter().map(particle).collect();
     ParticleSet::new(domain, particles).map_err(EngineError::from_display)
 }
 

@@ -5,7 +5,6 @@ pub mod dustybox;
 pub mod dustyshock;
 pub mod dustywave;
 mod error;
-mod even;
 pub mod even_gas;
 mod filling;
 mod gas_and_dust;
@@ -34,7 +33,6 @@ mod view;
 pub mod wind_cloud;
 
 pub use error::SceneError;
-pub(crate) use even::lattice;
 pub use filling::{Block, Filling};
 pub use gas_and_dust::DustySceneError;
 pub use glass::{GlassError, relax};

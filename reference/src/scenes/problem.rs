@@ -2,11 +2,11 @@
 
 use super::scene::Scene;
 use super::{
-    Method, SceneError, even_gas, gas_tube, gresho_chan, hydrostatic, kelvin_helmholtz, noh, rayleigh_taylor, sedov,
-    sod, static_square, wind_cloud,
+    Method, SceneError, double_blast, even_gas, gas_tube, gresho_chan, hydrostatic, kelvin_helmholtz, membrane, noh,
+    rayleigh_taylor, sedov, sod, static_square, turbulence, wind_cloud,
 };
+use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
 
 /// What every problem is, whatever the dimension.
 pub trait Definition: Clone + Serialize + DeserializeOwned + Send + Sync {
@@ -131,6 +131,12 @@ problems! {
     RayleighTaylor(rayleigh_taylor::RayleighTaylor) = "rayleigh-taylor",
     /// A cloud in a wind.
     WindCloud(wind_cloud::WindCloud) = "wind-cloud",
+    /// An oscillating cylinder.
+    Membrane(membrane::Membrane) = "membrane",
+    /// Stirred gas.
+    Turbulence(turbulence::Turbulence) = "turbulence",
+    /// Two blast waves that collide.
+    DoubleBlast(double_blast::DoubleBlast) = "double-blast",
     /// A shock tube of two gases.
     Tube(gas_tube::GasTube<gas_tube::Sonic>) = "tube",
     /// A jump of 10^5 in pressure.
@@ -147,12 +153,6 @@ problems! {
     NoisyLattice(even_gas::EvenGas<even_gas::NoisyLattice>) = "noisy-lattice",
     /// Many neighbours.
     Pairing(even_gas::EvenGas<even_gas::Pairing>) = "pairing",
-}
-
-impl<'de> Deserialize<'de> for Name {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        String::deserialize(deserializer)?.parse().map_err(serde::de::Error::custom)
-    }
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use super::{GlassError, Method, SceneError, State, View};
 use crate::particles::ParticleSet;
 use crate::passes::Physics;
+use crate::turbulence::forcing::Forcing;
 
 /// Gives a relaxed periodic cube of `across^D` particles.
 pub type Glasses<'a, const D: usize> = dyn FnMut(usize) -> Result<Vec<[f64; D]>, GlassError> + 'a;
@@ -31,6 +32,10 @@ pub trait Scene<const D: usize>: Send + Sync {
     }
     /// What momentum particles are given from outside until a time.
     fn given_momentum(&self, time: f64) -> GivenMomentum;
+    /// The force that stirs the gas, where one does.
+    fn forcing(&self) -> Result<Option<Forcing<D>>, SceneError> {
+        Ok(None)
+    }
     /// What is measured while it runs.
     fn quantities(&self) -> Vec<Quantity> {
         Vec::new()

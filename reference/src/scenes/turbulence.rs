@@ -3,15 +3,15 @@
 //! Box, density, sound speed, the range of waves and the Mach number are the papers'; the strength of the driving, its memory and the end time are those
 //! of SPH-EXA, with which both papers ran it. `docs/turbulence.md` has the table.
 
-use super::{Arrangement, GlassError, lattice};
+use super::scene::{Description, GivenMomentum, Glasses, Measured, Quantity, Scene, Solution};
+use super::{Block, Definition, Method, SceneError, State, View};
 use crate::domain::Domain;
 use crate::equations::equation_of_state::sound_speed;
-use crate::equations::reconstruction::smoothing_length_holding;
-use crate::particles::{Particle, ParticleError, ParticleSet};
+use crate::particles::{Particle, ParticleSet};
 use crate::passes::Physics;
-use crate::schemes::{Dissipation, GradH, Kernel, Viscosity};
-use crate::turbulence::TurbulenceError;
+use crate::schemes::{ModeWeights, Profile};
 use crate::turbulence::forcing::{Driving, Forcing};
+use serde::{Deserialize, Serialize};
 
 /// The side of the periodic box (C25 section 2).
 pub const SIDE: f64 = 1.0;
@@ -23,128 +23,161 @@ pub const GAMMA_MINUS_ONE: f64 = 0.001;
 pub const INTERNAL_ENERGY: f64 = 1000.0;
 /// Ten times that sound needs for a side (GS25 section 4: `-s 10`).
 pub const END_TIME: f64 = 10.0;
-/// How much longer than a support's diameter the side must be: a glass on its way, and gas that is stirred, want more room than gas at rest.
-const ROOM: f64 = 1.35;
+/// Gas that is stirred wants so much more room than gas at rest.
+const STIRRED: f64 = 1.2;
 
-/// The choices of a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The turbulence: what is a choice of the problem.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Turbulence {
-    /// How many particles along the side of the box.
-    pub across: usize,
-    /// How they start.
-    pub arrangement: Arrangement,
-    /// How the gas is driven.
-    pub driving: Driving,
+    /// How it is computed.
+    #[serde(skip)]
+    pub method: Method,
+    /// The velocity aimed at, which is the Mach number where sound has the velocity one; the papers' is 0.3.
+    pub velocity: f64,
+    /// The weight of the part of the force without divergence, from 0 to 1; one half is the natural mixture.
+    pub solenoidal_weight: f64,
+    /// What is a parabola over the driven waves.
+    pub profile: Profile,
+    /// How the directions of waves are weighted.
+    pub weights: ModeWeights,
     /// What the driving's random numbers start from.
     pub seed: u64,
-    /// The kernel.
-    pub kernel: Kernel,
-    /// The number of neighbours, the particle included.
-    pub neighbours: f64,
-    /// The dissipation scheme.
-    pub dissipation: Dissipation,
-    /// The grad-h form.
-    pub grad_h: GradH,
 }
 
-/// What is wrong with the choices.
-#[derive(Debug, thiserror::Error)]
-pub enum TurbulenceSceneError {
-    /// So few particles that a support would meet itself around the box.
-    #[error(
-        "{given} particles across: too few for {neighbours} neighbours, whose supports would meet themselves; give {enough}"
-    )]
-    TooFew {
-        /// What was asked for.
-        given: usize,
-        /// With so many neighbours.
-        neighbours: f64,
-        /// What works.
-        enough: usize,
-    },
-    /// The driving was refused.
-    #[error(transparent)]
-    Driving(#[from] TurbulenceError),
-    /// The particles were refused.
-    #[error(transparent)]
-    Particles(#[from] ParticleError),
-    /// The glass failed.
-    #[error(transparent)]
-    Glass(#[from] GlassError),
+impl Default for Turbulence {
+    fn default() -> Self {
+        Self::standard(3)
+    }
 }
 
 impl Turbulence {
-    /// The papers' settings in `dimension` dimensions, with a size that the scalar reference runs within minutes.
-    pub fn standard(dimension: usize) -> Self {
-        Turbulence {
-            across: [100, 40, 16][dimension - 1],
-            arrangement: Arrangement::Lattice,
-            driving: Driving::subsonic(),
-            seed: 1,
-            kernel: Kernel::MixedSinc,
-            neighbours: [5.8, 26.0, 100.0][dimension - 1],
-            dissipation: Dissipation::AvSlrB2,
-            grad_h: GradH::Corrected,
-        }
+    /// The same with another method.
+    pub fn with(mut self, change: impl FnOnce(&mut Method)) -> Self {
+        change(&mut self.method);
+        self
     }
 
-    /// The physics of all passes.
-    pub fn physics(&self) -> Physics {
-        Physics {
-            kernel: self.kernel,
-            grad_h: self.grad_h,
-            viscosity: Viscosity::of(self.dissipation),
-            gamma_minus_one: GAMMA_MINUS_ONE,
-            neighbours: self.neighbours,
-            forced: true,
-            ..Physics::STANDARD
-        }
+    fn block<const D: usize>() -> Block<D> {
+        Block { lower: [0.0; D], upper: [SIDE; D] }
     }
 
-    /// The initial particles. `glass` gives a relaxed cube of `across^D` particles when one is asked for.
-    ///
-    /// # Errors
-    /// Too few particles; what `glass` refuses.
-    pub fn particles<const D: usize>(
-        &self,
-        glass: impl FnOnce(usize) -> Result<Vec<[f64; D]>, GlassError>,
-    ) -> Result<ParticleSet<D>, TurbulenceSceneError> {
-        let support = self.kernel.support();
-        let diameter = 2.0 * support * smoothing_length_holding(self.neighbours, 1.0, D, support);
-        let (given, enough) = (self.across, (ROOM * diameter).ceil() as usize);
-        if given < enough {
-            return Err(TurbulenceSceneError::TooFew { given, neighbours: self.neighbours, enough });
-        }
-        let spacing = SIDE / given as f64;
-        let places = match self.arrangement {
-            Arrangement::Lattice => lattice([given; D], spacing),
-            Arrangement::Glass => glass(given)?.into_iter().map(|place| place.map(|x| SIDE * x)).collect(),
-        };
-        let particle = |position| Particle {
-            position,
-            velocity: [0.0; D],
-            mass: DENSITY * spacing.powi(D as i32),
-            smoothing_length: spacing * diameter / (2.0 * support),
-            internal_energy: INTERNAL_ENERGY,
-            mobile: true,
-        };
-        Ok(ParticleSet::new(Self::domain()?, places.into_iter().map(particle).collect())?)
-    }
-
-    /// The driving force at the start of a run, for [`Simulation::with_forcing`](crate::simulation::Simulation::with_forcing).
-    ///
-    /// # Errors
-    /// As [`Forcing::new`].
-    pub fn forcing<const D: usize>(&self) -> Result<Forcing<D>, TurbulenceSceneError> {
-        Ok(Forcing::new(&Self::domain()?, self.driving, self.seed)?)
-    }
-
-    fn domain<const D: usize>() -> Result<Domain<D>, ParticleError> {
-        Ok(Domain::new([0.0; D], [SIDE; D], [true; D])?)
+    fn driving(&self) -> Driving {
+        let Turbulence { velocity, solenoidal_weight, profile, weights, .. } = *self;
+        Driving { velocity, solenoidal_weight, profile, weights }
     }
 
     /// The speed of sound at the start.
     pub fn sound_speed(&self) -> f64 {
         sound_speed(GAMMA_MINUS_ONE, INTERNAL_ENERGY)
+    }
+}
+
+impl Definition for Turbulence {
+    const TITLE: &'static str = "Driven subsonic turbulence";
+    const SOURCE: &'static str = "C25, section 2; GS25, section 4";
+    const DIMENSIONS: &'static [usize] = &[3, 2, 1];
+    const SOLUTION: &'static str = "none";
+
+    fn standard(dimension: usize) -> Self {
+        let Driving { velocity, solenoidal_weight, profile, weights } = Driving::subsonic();
+        let method = Method::standard(dimension, [200, 1_600, 4_096][dimension - 1]);
+        Turbulence { method, velocity, solenoidal_weight, profile, weights, seed: 1 }
+    }
+    fn end_time(&self) -> f64 {
+        END_TIME
+    }
+    fn method(&self) -> &Method {
+        &self.method
+    }
+    fn method_mut(&mut self) -> &mut Method {
+        &mut self.method
+    }
+}
+
+impl<const D: usize> Scene<D> for Turbulence {
+    fn method(&self) -> &Method {
+        &self.method
+    }
+    fn physics(&self) -> Physics {
+        Physics { forced: true, ..self.method.physics(1.0 + GAMMA_MINUS_ONE) }
+    }
+    fn check(&self) -> Result<(), SceneError> {
+        SceneError::unless_in::<Self>("turbulence", D)?;
+        self.method.check(D)?;
+        Scene::<D>::forcing(self)?;
+        let fits = |count| Self::block::<D>().has_room(&self.method, [true; D], count, STIRRED.powi(D as i32));
+        self.method.check_number(D, 1, fits)
+    }
+    fn forcing(&self) -> Result<Option<Forcing<D>>, SceneError> {
+        let domain = Domain::new([0.0; D], [SIDE; D], [true; D])?;
+        Forcing::new(&domain, self.driving(), self.seed).map(Some).map_err(|error| SceneError::Choice {
+            name: "velocity, solenoidal_weight",
+            given: format!("{}, {}", self.velocity, self.solenoidal_weight),
+            rule: error.to_string(),
+        })
+    }
+    fn particles(&self, glasses: &mut Glasses<D>) -> Result<ParticleSet<D>, SceneError> {
+        Scene::<D>::check(self)?;
+        let block = Self::block::<D>();
+        let filling = block.filled(&self.method, self.method.particles, glasses)?;
+        let particle = |&position: &[f64; D]| Particle {
+            position,
+            velocity: [0.0; D],
+            mass: DENSITY * filling.volume,
+            smoothing_length: self.method.smoothing_length(D, filling.volume),
+            internal_energy: INTERNAL_ENERGY,
+            mobile: true,
+        };
+        let particles = filling.places.iter().map(particle).collect();
+        Ok(ParticleSet::new(Domain::new(block.lower, block.upper, [true; D])?, particles)?)
+    }
+    fn view(&self) -> View {
+        View::Along(0)
+    }
+    fn shown(&self) -> (f64, f64) {
+        (0.0, SIDE)
+    }
+    fn measured(&self, _: f64) -> Measured {
+        Measured { range: (0.0, SIDE), source: "the whole box" }
+    }
+    fn solution(&self, _: f64) -> Result<Option<Box<dyn Solution>>, SceneError> {
+        Ok(None)
+    }
+    fn given_momentum(&self, _: f64) -> GivenMomentum {
+        GivenMomentum::None
+    }
+    fn quantities(&self) -> Vec<Quantity> {
+        let quantity = |name, label, symbol, expected| Quantity { name, label, symbol, unit: "", expected };
+        vec![
+            quantity(
+                "mach_rms",
+                "root mean square Mach number",
+                "M_rms",
+                Some((self.velocity, "C25 section 2, once it is steady")),
+            ),
+            quantity("density_scatter", "scatter of the density", "σ(ρ)/ρ", None),
+            quantity("heating", "change of the internal energy over that of the start", "ΔU/U", None),
+        ]
+    }
+    fn observe(&self, state: &State) -> Result<Vec<f64>, SceneError> {
+        let speed = |i: usize| state.quickness(i) / sound_speed(GAMMA_MINUS_ONE, state.internal_energy[i]);
+        // All masses are equal: a mean over particles is one over mass.
+        let mach = state.root_mean_square(speed);
+        let start = INTERNAL_ENERGY * DENSITY * SIDE.powi(state.position.len() as i32);
+        Ok(vec![mach, state.scatter(&state.density, DENSITY), state.thermal_energy() / start - 1.0])
+    }
+    fn description(&self) -> Description {
+        Description {
+            start: "at rest".into(),
+            boundaries: "periodic".into(),
+            settings: vec![
+                ("Driven to a velocity of".into(), self.velocity.to_string()),
+                ("Solenoidal weight".into(), self.solenoidal_weight.to_string()),
+                ("A parabola is the".into(), self.profile.to_string()),
+                ("Weights of waves".into(), self.weights.to_string()),
+                ("Seed".into(), self.seed.to_string()),
+            ],
+        }
     }
 }

@@ -12,6 +12,7 @@ use etalon_reference::passes::{Driver, Physics};
 use etalon_reference::pipeline::Pipeline;
 use etalon_reference::scenes::sod::Sod;
 use etalon_reference::scenes::turbulence::Turbulence;
+use etalon_reference::scenes::{Definition, Scene};
 use etalon_reference::simulation::Simulation;
 
 fn plain<T: Scalar, const D: usize>(set: &ParticleSet<D>, _: &[Field]) -> Result<PlainEngine<T, D>, EngineError> {
@@ -72,10 +73,12 @@ fn steps_see_the_oscillation() {
 
 #[test]
 fn a_force_needs_the_field_it_is_carried_in() {
-    let scene = Turbulence::standard(1);
-    let set = scene.particles::<1>(|_| Ok(Vec::new())).unwrap();
+    let problem = Turbulence::standard(1);
+    let scene: &dyn Scene<1> = &problem;
+    let set = scene.particles(&mut |_| unreachable!("a lattice asks for no glass")).unwrap();
     let physics = Physics { forced: false, ..scene.physics() };
-    let made = Simulation::with_forcing(PlainEngine::<f64, 1>::new(&set), physics, scene.forcing().unwrap());
+    let force = scene.forcing().unwrap().unwrap();
+    let made = Simulation::with_forcing(PlainEngine::<f64, 1>::new(&set), physics, force);
     let message = made.err().unwrap().to_string();
     assert!(message.contains("set `forced`"), "{message}");
 }

@@ -3,22 +3,34 @@
 use etalon_reference::engine::{Engine, PlainEngine};
 use etalon_reference::fields;
 use etalon_reference::norms::l1_error;
-use etalon_reference::scenes::membrane::{FAINT_VELOCITY, Membrane, MembraneError, radial};
+use etalon_reference::particles::ParticleSet;
+use etalon_reference::scenes::membrane::{FAINT_VELOCITY, Membrane};
+use etalon_reference::scenes::{Definition, Scene, SceneError, View};
 use etalon_reference::schemes::Viscosity;
 use etalon_reference::simulation::Simulation;
 
 /// The paper's problem on four times its scale of length and time: the same flow, with as many particles in a wave as four times as many across
 /// would have at the paper's, and one wave in the box.
 fn large(across: usize, moves: bool) -> Membrane {
-    Membrane { across, moves, radius: 0.14, period: 0.2, velocity: FAINT_VELOCITY, ..Membrane::standard(2) }
+    let scene = Membrane { moves, radius: 0.14, period: 0.2, velocity: FAINT_VELOCITY, ..Membrane::standard(2) };
+    scene.with(|m| m.particles = across * across)
 }
 const END: f64 = 0.25;
+
+fn start(scene: &Membrane) -> ParticleSet<2> {
+    scene.particles(&mut |_| unreachable!("a lattice asks for no glass")).unwrap()
+}
 const RANGE: (f64, f64) = (0.144, 0.5);
+
+/// Distance from the axis and velocity away from it.
+fn radial([x, y]: [f64; 2], [v_x, v_y]: [f64; 2]) -> (f64, f64) {
+    View::CylinderRadius([0.5; 2]).of([x, y, 0.0], [v_x, v_y, 0.0], 2)
+}
 
 /// Distance from the axis, radial velocity and that of the linear wave, of all particles that are not wall.
 fn waves(scene: &Membrane) -> [Vec<f64>; 3] {
-    let set = scene.particles::<2>().unwrap();
-    let mut run = Simulation::new(PlainEngine::<f64, 2>::new(&set), scene.physics()).unwrap();
+    let set = start(scene);
+    let mut run = Simulation::new(PlainEngine::<f64, 2>::new(&set), Scene::<2>::physics(scene)).unwrap();
     run.run(END, |_| {}).unwrap();
     let [x, y] = [0, 1].map(|axis| run.engine().coordinates(axis).unwrap());
     let v = run.engine().read_all(fields::VELOCITY).unwrap();
@@ -71,9 +83,9 @@ fn a_wall_that_stays_in_place_sends_out_too_faint_a_wave() {
 fn a_quarter_turn_changes_nothing_but_roundings() {
     const ACROSS: usize = 30;
     for viscosity in [Viscosity::MEMBRANE[0], Viscosity::MEMBRANE[4]] {
-        let scene = Membrane { viscosity, ..large(ACROSS, true) };
-        let set = scene.particles::<2>().unwrap();
-        let mut run = Simulation::new(PlainEngine::<f64, 2>::new(&set), scene.physics()).unwrap();
+        let scene = large(ACROSS, true).with(|m| m.viscosity = viscosity);
+        let set = start(&scene);
+        let mut run = Simulation::new(PlainEngine::<f64, 2>::new(&set), Scene::<2>::physics(&scene)).unwrap();
         run.run(0.15, |_| {}).unwrap();
         let v = run.engine().read_all(fields::VELOCITY).unwrap();
         let mut worst = 0.0_f64;
@@ -93,8 +105,8 @@ fn a_quarter_turn_changes_nothing_but_roundings() {
 
 #[test]
 fn walls_fill_the_cylinder_and_move_outwards() {
-    let scene = Membrane { across: 200, ..Membrane::standard(2) };
-    let set = scene.particles::<2>().unwrap();
+    let scene = Membrane::standard(2).with(|m| m.particles = 200 * 200);
+    let set = start(&scene);
     let mass: f64 = set.particles().iter().map(|p| p.mass).sum();
     assert!((mass - 1.0).abs() < 1e-10, "mass {mass}");
     let walls = set.particles().iter().filter(|p| !p.mobile);
@@ -112,15 +124,23 @@ fn walls_fill_the_cylinder_and_move_outwards() {
 
 #[test]
 fn what_is_no_membrane_is_refused() {
-    assert!(matches!(Membrane::standard(2).particles::<1>(), Err(MembraneError::Dimension(1))));
-    for across in [0, 10, 40] {
-        match (Membrane { across, ..Membrane::standard(3) }).particles::<3>() {
-            Err(MembraneError::TooFew { enough, .. }) => {
-                let set = (Membrane { across: enough, ..Membrane::standard(3) }).particles::<3>().unwrap();
-                assert!(set.len() > enough * enough);
+    assert!(matches!(Scene::<1>::check(&Membrane::standard(2)), Err(SceneError::Dimension { given: 1, .. })));
+    for particles in [1, 1000, 5000] {
+        let scene = Membrane::standard(3).with(|m| m.particles = particles);
+        match Scene::<3>::check(&scene) {
+            Err(SceneError::TooFew { enough, .. }) => {
+                assert!(Scene::<3>::check(&scene.with(|m| m.particles = enough)).is_ok(), "{enough} for {particles}");
             }
-            other => panic!("{across}: {:?}", other.map(|set| set.len())),
+            other => panic!("{particles}: {other:?}"),
         }
+    }
+    for (wrong, name) in [
+        (Membrane { radius: 0.3, ..Membrane::standard(2) }, "radius = 0.3"),
+        (Membrane { period: 0.0, ..Membrane::standard(2) }, "period = 0"),
+        (Membrane { gamma: f64::NAN, ..Membrane::standard(2) }, "gamma = NaN"),
+    ] {
+        let message = Scene::<2>::check(&wrong).unwrap_err().to_string();
+        assert!(message.contains(name), "{message}");
     }
     let still = Membrane { velocity: 0.0, ..Membrane::standard(2) };
     assert!(still.linear().unwrap_err().to_string().contains("largest velocity"));

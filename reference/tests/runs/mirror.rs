@@ -5,9 +5,10 @@ use etalon_reference::engine::{Engine, PlainEngine};
 use etalon_reference::fields;
 use etalon_reference::norms::l1_error;
 use etalon_reference::particles::{Particle, ParticleSet};
-use etalon_reference::scenes::double_blast::{DoubleBlast, DoubleBlastError, END_TIME, MEASURED, reference};
+use etalon_reference::scenes::double_blast::{DoubleBlast, END_TIME, MEASURED, reference};
 use etalon_reference::scenes::mirror::{MirrorError, mirrored};
 use etalon_reference::scenes::sod::Sod;
+use etalon_reference::scenes::{Definition, Scene, SceneError};
 use etalon_reference::simulation::Simulation;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -96,15 +97,16 @@ fn what_has_no_image_is_refused() {
         let message = mirrored(&on_wall, 0).unwrap_err().to_string();
         assert!(message.contains("particle 3 lies on a wall"), "{message}");
     }
-    assert!(matches!(DoubleBlast::standard().particles::<2>(), Err(DoubleBlastError::Dimension(2))));
-    let few = DoubleBlast { particles: 5, ..DoubleBlast::standard() };
-    assert!(few.particles::<1>().unwrap_err().to_string().contains("at least 40"));
+    assert!(matches!(Scene::<2>::check(&DoubleBlast::standard(1)), Err(SceneError::Dimension { given: 2, .. })));
+    let few = DoubleBlast::standard(1).with(|m| m.particles = 5);
+    assert!(Scene::<1>::check(&few).unwrap_err().to_string().contains("--n 40 is enough"));
 }
 
 /// `L_1` of the density at the end, against the finite-volume solution.
 fn blast_error(particles: usize) -> f64 {
-    let scene = DoubleBlast { particles, ..DoubleBlast::standard() };
-    let set = scene.particles::<1>().unwrap();
+    let problem = DoubleBlast::standard(1).with(|m| m.particles = particles);
+    let scene: &dyn Scene<1> = &problem;
+    let set = scene.particles(&mut |_| unreachable!("a lattice asks for no glass")).unwrap();
     let mut run = Simulation::new(PlainEngine::<f64, 1>::new(&set), scene.physics()).unwrap();
     run.run(END_TIME, |_| {}).unwrap();
     let gas = reference(800, END_TIME).unwrap();

@@ -2,8 +2,19 @@
 
 use etalon_reference::engine::{Engine, PlainEngine};
 use etalon_reference::fields;
-use etalon_reference::scenes::turbulence::{Turbulence, TurbulenceSceneError};
+use etalon_reference::particles::ParticleSet;
+use etalon_reference::scenes::turbulence::Turbulence;
+use etalon_reference::scenes::{Definition, Scene, SceneError};
 use etalon_reference::simulation::Simulation;
+use etalon_reference::turbulence::forcing::Forcing;
+
+fn start<const D: usize>(scene: &Turbulence) -> ParticleSet<D> {
+    scene.particles(&mut |_| unreachable!("a lattice asks for no glass")).unwrap()
+}
+
+fn force<const D: usize>(scene: &Turbulence) -> Forcing<D> {
+    scene.forcing().unwrap().unwrap()
+}
 
 /// The root mean square Mach number and the largest component of the momentum over mass, per sound speed.
 fn motion(run: &mut Simulation<2, PlainEngine<f64, 2>>) -> (f64, f64) {
@@ -17,10 +28,11 @@ fn motion(run: &mut Simulation<2, PlainEngine<f64, 2>>) -> (f64, f64) {
 
 #[test]
 fn the_mach_number_grows_as_the_force_makes_it_and_momentum_stays_zero() {
-    let scene = Turbulence { across: 16, ..Turbulence::standard(2) };
-    let set = scene.particles::<2>(|_| Ok(Vec::new())).unwrap();
-    let force = scene.forcing::<2>().unwrap();
-    let mut run = Simulation::with_forcing(PlainEngine::<f64, 2>::new(&set), scene.physics(), force).unwrap();
+    let scene = Turbulence::standard(2).with(|m| m.particles = 256);
+    let set = start::<2>(&scene);
+    let force = force::<2>(&scene);
+    let mut run =
+        Simulation::with_forcing(PlainEngine::<f64, 2>::new(&set), Scene::<2>::physics(&scene), force).unwrap();
     let push = run.engine().read_all(fields::FORCING).unwrap();
     let rms = (push.iter().flatten().map(|f| f * f).sum::<f64>() / set.len() as f64).sqrt();
     let mut before = 0.0;
@@ -44,14 +56,15 @@ fn the_mach_number_grows_as_the_force_makes_it_and_momentum_stays_zero() {
 /// The state of the force in the middle of a run makes the same force go on the same way.
 #[test]
 fn a_force_is_taken_up_again_to_the_bit() {
-    let scene = Turbulence { across: 16, ..Turbulence::standard(2) };
-    let set = scene.particles::<2>(|_| Ok(Vec::new())).unwrap();
+    let scene = Turbulence::standard(2).with(|m| m.particles = 256);
+    let set = start::<2>(&scene);
     let mut run =
-        Simulation::with_forcing(PlainEngine::<f64, 2>::new(&set), scene.physics(), scene.forcing().unwrap()).unwrap();
+        Simulation::with_forcing(PlainEngine::<f64, 2>::new(&set), Scene::<2>::physics(&scene), force::<2>(&scene))
+            .unwrap();
     for _ in 0..3 {
         run.step(1.0).unwrap();
     }
-    let mut again = scene.forcing::<2>().unwrap();
+    let mut again = force::<2>(&scene);
     let mut onwards = run.forcing().unwrap().clone();
     assert_ne!(again.waves(), onwards.waves(), "three steps changed the force");
     again.restore(&onwards.state()).unwrap();
@@ -68,14 +81,13 @@ fn a_force_is_taken_up_again_to_the_bit() {
 #[test]
 fn a_refusal_names_a_number_that_works() {
     fn check<const D: usize>() {
-        let scene = Turbulence { across: 2, ..Turbulence::standard(D) };
-        match scene.particles::<D>(|_| Ok(Vec::new())) {
-            Err(TurbulenceSceneError::TooFew { enough, .. }) => {
-                let more = Turbulence { across: enough, ..scene };
-                let set = more.particles::<D>(|_| Ok(Vec::new())).unwrap();
+        let scene = Turbulence::standard(D).with(|m| m.particles = 2);
+        match Scene::<D>::check(&scene) {
+            Err(SceneError::TooFew { enough, .. }) => {
+                let more = scene.with(|m| m.particles = enough);
+                let engine = PlainEngine::<f64, D>::new(&start::<D>(&more));
                 // With as many it runs; with fewer particles neighbours would not be found.
-                Simulation::with_forcing(PlainEngine::<f64, D>::new(&set), more.physics(), more.forcing().unwrap())
-                    .unwrap();
+                Simulation::with_forcing(engine, Scene::<D>::physics(&more), force::<D>(&more)).unwrap();
             }
             other => panic!("{other:?}"),
         }

@@ -96,7 +96,12 @@ impl<const D: usize> Task<'_, D> {
     ) -> Result<Finished, Failure> {
         let label = progress.label().to_string();
         let wrong = |error: EngineError| Failure::Broken(format!("{label}: {error}"));
-        let mut simulation = Simulation::new(engine, self.physics).map_err(wrong)?;
+        let forcing = self.scene.forcing().map_err(|error| Failure::BadInput(error.to_string()))?;
+        let mut simulation = match forcing {
+            Some(force) => Simulation::with_forcing(engine, self.physics, force),
+            None => Simulation::new(engine, self.physics),
+        }
+        .map_err(wrong)?;
         let start = Totals::read(simulation.engine(), &self.mobile).map_err(wrong)?;
         simulation.engine().restart().map_err(wrong)?;
         let mut observer = Observer::new(self.scene, self.observe_every, self.end_time);
