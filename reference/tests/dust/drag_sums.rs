@@ -100,9 +100,9 @@ fn summed<const D: usize>(engine: &mut PlainEngine<f64, D>, set: &ParticleSet<D>
             let stopping = density[a] * density[i] / (COEFFICIENT * (density[a] + density[i]));
             let hump = double_hump::<f64, D>(physics(drag).kernel, (r / h) * (r / h)) / h.powi(D as i32);
             let common = D as f64 / ((density[a] + density[i]) * stopping) * hump;
-            for k in 0..D {
-                rates.acceleration[a][k] -= common * p[i].mass * star * hat[k];
-                rates.acceleration[i][k] += common * p[a].mass * star * hat[k];
+            for (k, along) in hat.iter().enumerate() {
+                rates.acceleration[a][k] -= common * p[i].mass * star * along;
+                rates.acceleration[i][k] += common * p[a].mass * star * along;
             }
             rates.heating[a] += common * p[i].mass * star * omega;
             let [of_gas, of_dust] = [p[i].mass, p[a].mass].map(|m| common * m * parts);
@@ -127,8 +127,8 @@ fn sums_are_the_papers<const D: usize>(drag: Drag, seed: u64) -> f64 {
     let what = format!("{D}-D, {drag:?}");
     for a in 0..set.len() {
         let share = 2.0 * gamma(due.neighbours + 60, UNIT);
-        for k in 0..D {
-            let error = (acceleration[a][k] - due.acceleration[a][k]).abs();
+        for (k, (found, expected)) in acceleration[a].iter().zip(&due.acceleration[a]).enumerate() {
+            let error = (found - expected).abs();
             let tolerance = share * due.sizes[a][0];
             assert!(error <= tolerance, "{what}: acceleration {k} of {a}: off by {error:e}, tolerance {tolerance:e}");
             worst = worst.max(if tolerance > 0.0 { error / tolerance } else { 0.0 });
