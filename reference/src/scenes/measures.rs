@@ -145,6 +145,7 @@ mod tests {
             smoothing_length: vec![0.1; 3],
             mass: vec![2.0; 3],
             mobility: vec![1.0, 1.0, 0.0],
+            species: Vec::new(),
         }
     }
 

@@ -1,6 +1,7 @@
 //! The problems that are run: initial state, boundaries, physics, end time and what to compare with.
 
 pub mod double_blast;
+pub mod dusty;
 pub mod dustybox;
 pub mod dustyshock;
 pub mod dustywave;

@@ -2,8 +2,8 @@
 
 use super::scene::Scene;
 use super::{
-    Method, SceneError, double_blast, even_gas, gas_tube, gresho_chan, hydrostatic, kelvin_helmholtz, membrane, noh,
-    rayleigh_taylor, sedov, sod, static_square, turbulence, wind_cloud,
+    Method, SceneError, double_blast, dusty, even_gas, gas_tube, gresho_chan, hydrostatic, kelvin_helmholtz, membrane,
+    noh, rayleigh_taylor, sedov, sod, static_square, turbulence, wind_cloud,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -137,6 +137,12 @@ problems! {
     Turbulence(turbulence::Turbulence) = "turbulence",
     /// Two blast waves that collide.
     DoubleBlast(double_blast::DoubleBlast) = "double-blast",
+    /// Gas and dust in a box.
+    DustyBox(dusty::Dusty<dusty::InABox>) = "dustybox",
+    /// A sound wave in gas with dust.
+    DustyWave(dusty::Dusty<dusty::InAWave>) = "dustywave",
+    /// A shock tube of gas and dust.
+    DustyShock(dusty::Dusty<dusty::InATube>) = "dustyshock",
     /// A shock tube of two gases.
     Tube(gas_tube::GasTube<gas_tube::Sonic>) = "tube",
     /// A jump of 10^5 in pressure.

@@ -27,6 +27,8 @@ pub struct State {
     pub mass: Vec<f64>,
     /// One where a particle moves, zero in a wall.
     pub mobility: Vec<f64>,
+    /// Zero for gas, one for dust; empty where there is gas only.
+    pub species: Vec<f64>,
 }
 
 impl State {
@@ -49,6 +51,8 @@ impl State {
             smoothing_length: engine.read_scalar(fields::SMOOTHING_LENGTH)?,
             mass: engine.read_scalar(fields::MASS)?,
             mobility: engine.read_scalar(fields::MOBILITY)?,
+            // An engine that was made without the field has none to read.
+            species: engine.read_scalar(fields::SPECIES).unwrap_or_default(),
         })
     }
 
@@ -63,6 +67,10 @@ impl State {
     /// The numbers of those that move.
     pub fn moving(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.len()).filter(|&i| self.mobility[i] > 0.0)
+    }
+    /// The numbers of the gas that moves.
+    pub fn moving_gas(&self) -> impl Iterator<Item = usize> + '_ {
+        self.moving().filter(|&i| self.species.get(i).is_none_or(|species| *species < 0.5))
     }
     /// Where a particle is; zero along axes there are not.
     pub fn place(&self, particle: usize) -> [f64; 3] {

@@ -52,6 +52,7 @@ fn state<const D: usize>(set: &ParticleSet<D>) -> State {
         smoothing_length: column(&|i| all[i].smoothing_length),
         mass: column(&|i| all[i].mass),
         mobility: column(&|i| if all[i].mobile { 1.0 } else { 0.0 }),
+        species: column(&|i| set.species(i)),
     }
 }
 

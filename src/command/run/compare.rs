@@ -14,14 +14,14 @@ use etalon_reference::scenes::{GivenMomentum, Measured, Solution, View};
 /// Particles shown in plots.
 const SHOWN: usize = 1200;
 
-/// First source of error: distance from the solution over the particles in the measured range that move.
+/// First source of error: distance from the solution over the gas in the measured range that moves.
 pub fn discretisation(
     seen: &Seen,
     view: View,
     solution: &dyn Solution,
     measured: Measured,
 ) -> Result<Vec<FieldError>, Failure> {
-    let moving: Vec<usize> = seen.state.moving().collect();
+    let moving: Vec<usize> = seen.state.moving_gas().collect();
     let pick = |column: &[f64]| moving.iter().map(|&i| column[i]).collect::<Vec<f64>>();
     let x = pick(&seen.coordinate);
     let truth = columns(solution, &x);
@@ -182,7 +182,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The particles that plots show.
 pub fn profile(seen: &Seen, view: View, solution: Option<&dyn Solution>, reference: Option<&Seen>) -> Profile {
-    let moving: Vec<usize> = seen.state.moving().collect();
+    let moving: Vec<usize> = seen.state.moving_gas().collect();
     let all: Vec<f64> = moving.iter().map(|&i| seen.coordinate[i]).collect();
     let shown: Vec<usize> = stratified(&all, SHOWN).into_iter().map(|k| moving[k]).collect();
     let pick = |column: &[f64]| shown.iter().map(|&i| column[i]).collect::<Vec<f64>>();
@@ -196,6 +196,11 @@ pub fn profile(seen: &Seen, view: View, solution: Option<&dyn Solution>, referen
         reference: reference.map_or_else(Vec::new, |reference| pick(reference.compared()[k])),
     };
     let fields = (0..FIELDS).map(field).collect();
-    let selection = format!("{} of the {} that move, evenly along {}", shown.len(), moving.len(), view.coordinate());
+    let selection = format!(
+        "{} of the {} particles of gas that move, evenly along {}",
+        shown.len(),
+        moving.len(),
+        view.coordinate()
+    );
     Profile { selection, x, fields }
 }
