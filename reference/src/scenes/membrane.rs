@@ -180,7 +180,7 @@ impl Definition for Membrane {
 
     /// With the limiter that knows the wave's period (GS25 Table 8).
     fn standard(dimension: usize) -> Self {
-        let mut method = Method::standard(dimension, if dimension == 2 { 10_000 } else { 20_000 });
+        let mut method = Method::standard(dimension, if dimension == 2 { 10_000 } else { 40_000 });
         method.viscosity = Viscosity { wave_period: PERIOD, ..Viscosity::MEMBRANE[4] };
         Membrane {
             method,
