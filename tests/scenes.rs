@@ -54,7 +54,8 @@ fn followed<const D: usize>(scene: &dyn Scene<D>, threads: usize) -> (Vec<u64>, 
         let bits = columns.flatten().map(|value| value.to_bits()).collect();
         let values = scene.observe(&state).unwrap();
         let names = scene.quantities().into_iter().map(|quantity| quantity.name);
-        let mut measured = vec![("time", time), ("kinetic_energy_of_all", kinetic(&state)), ("heat_of_all", heat(&state))];
+        let mut measured =
+            vec![("time", time), ("kinetic_energy_of_all", kinetic(&state)), ("heat_of_all", heat(&state))];
         measured.extend(names.zip(values));
         (bits, measured)
     })

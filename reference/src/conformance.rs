@@ -118,7 +118,7 @@ impl<const D: usize, P: Roundoff, E: Engine<D>> PassVisitor<D> for Check<'_, P, 
     type Output = Result<(), EngineError>;
 
     fn visit<Q: Pass<D>>(&mut self, pass: &Q) -> Self::Output {
-        let footprint = Footprint::of_pass::<D, Q>();
+        let footprint = Footprint::of_pass::<D, Q>(pass);
         for component in components(&[footprint.own, footprint.other].concat(), D) {
             let exact = self.reference.read(component)?;
             let rounded: Vec<f64> = exact.into_iter().map(to_precision::<P>).collect();
