@@ -227,10 +227,10 @@ fn velocity_gradients_of_the_kernel_are_the_sum_they_say() {
             let (mut due, mut size) = ([[0.0; D]; D], 0.0);
             for (b, other) in set.particles().iter().enumerate().filter(|(b, _)| *b != a) {
                 let gradient = grad_w(between(&set, a, b), p.smoothing_length);
-                for i in 0..D {
-                    for j in 0..D {
-                        let term = volume[b] * (other.velocity[i] - p.velocity[i]) * gradient[j];
-                        due[i][j] += term;
+                for (i, row) in due.iter_mut().enumerate() {
+                    for (entry, slope) in row.iter_mut().zip(gradient) {
+                        let term = volume[b] * (other.velocity[i] - p.velocity[i]) * slope;
+                        *entry += term;
                         size += term.abs();
                     }
                 }
