@@ -33,7 +33,7 @@ pub use equation::mutants;
 pub use equation::private as __private;
 pub use equation::{EquationEntry, registered};
 pub use etalon_kernels_gen_macros::{equation, equation_part};
-pub use pass::{Footprint, Pass, Separation, Update};
+pub use pass::{Footprint, Part, Pass, Separation, Update, used_components};
 pub use real::{Choose, Mask, Nameable, Precision, Real};
 pub use record::{Component, Field, Quantity, Rank, Record, Reduction, Scalar, components};
 pub use scalar::Fused;

@@ -4,7 +4,7 @@
 //! the types of its records, so a pipeline can be derived from it and a backend can lay its data out for it.
 
 use crate::real::Real;
-use crate::record::{Field, Record};
+use crate::record::{Component, Field, Record, components};
 use crate::vector::Vector;
 
 /// A pair on its way through a pass: particle `a`, its neighbour `b`, and what lies between them.
@@ -14,6 +14,19 @@ pub struct Separation<R, const D: usize> {
     pub x_ab: Vector<R, D>,
     /// `|x_a - x_b|^2`.
     pub r_squared: R,
+}
+
+/// Which of its four records a pass has a field in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// [`Pass::Own`].
+    Own,
+    /// [`Pass::Other`].
+    Other,
+    /// [`Pass::Sums`].
+    Sums,
+    /// [`Pass::Out`].
+    Out,
 }
 
 /// One sweep over all particles: for each, a sum (or maximum) over its neighbours, then an epilogue.
@@ -36,6 +49,13 @@ pub trait Pass<const D: usize>: Copy + Send + Sync + 'static {
     /// The pass's name, in snake case.
     const NAME: &'static str;
 
+    /// Whether the pass, as its scene has it, has a use for a field of one of its records.
+    ///
+    /// What it has no use for no particle carries on its account, and no drawing of it has: as an input it is a number without meaning, as
+    /// an output it is zero and goes nowhere.
+    fn uses(&self, _part: Part, _field: Field) -> bool {
+        true
+    }
     /// What one neighbour contributes.
     fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, separation: &Separation<R, D>)
     -> Self::Sums<R>;
@@ -73,14 +93,19 @@ pub struct Footprint {
 }
 
 impl Footprint {
-    /// Of a pass.
-    pub fn of_pass<const D: usize, P: Pass<D>>() -> Self {
+    /// Of a pass: the fields it has a use for.
+    pub fn of_pass<const D: usize, P: Pass<D>>(pass: &P) -> Self {
+        let used = |part| {
+            let mut fields = fields_of::<D, P>(part);
+            fields.retain(|field| pass.uses(part, *field));
+            fields
+        };
         Footprint {
             name: P::NAME,
-            own: <P::Own<f64> as Record<f64>>::fields(),
-            other: <P::Other<f64> as Record<f64>>::fields(),
-            sums: <P::Sums<f64> as Record<f64>>::fields(),
-            out: <P::Out<f64> as Record<f64>>::fields(),
+            own: used(Part::Own),
+            other: used(Part::Other),
+            sums: used(Part::Sums),
+            out: used(Part::Out),
         }
     }
     /// Of an update.
@@ -93,4 +118,20 @@ impl Footprint {
             out: <U::Out<f64> as Record<f64>>::fields(),
         }
     }
+}
+
+/// All fields of one of a pass's records, used or not.
+fn fields_of<const D: usize, P: Pass<D>>(part: Part) -> Vec<Field> {
+    match part {
+        Part::Own => <P::Own<f64> as Record<f64>>::fields(),
+        Part::Other => <P::Other<f64> as Record<f64>>::fields(),
+        Part::Sums => <P::Sums<f64> as Record<f64>>::fields(),
+        Part::Out => <P::Out<f64> as Record<f64>>::fields(),
+    }
+}
+
+/// Every number of one of a pass's records in the record's order, none in place of those the pass has no use for.
+pub fn used_components<const D: usize, P: Pass<D>>(pass: &P, part: Part) -> Vec<Option<Component>> {
+    let used = |component: Component| pass.uses(part, component.field).then_some(component);
+    components(&fields_of::<D, P>(part), D).into_iter().map(used).collect()
 }

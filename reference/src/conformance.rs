@@ -20,7 +20,7 @@ use crate::particles::ParticleSet;
 use crate::passes::Physics;
 use crate::pipeline::{PassVisitor, Pipeline};
 use crate::scenes::sod::Sod;
-use crate::schemes::{Dissipation, GradH, Kernel, Viscosity};
+use crate::schemes::{Dissipation, GradH, Gradients, Kernel, Viscosity, VolumeElement};
 use etalon_kernels_gen::bounded::{Bounded, Roundoff};
 use etalon_kernels_gen::{Field, Footprint, Pass, Precision, components};
 use sets::Difficulty;
@@ -122,7 +122,7 @@ impl<const D: usize, P: Roundoff, E: Engine<D>> PassVisitor<D> for Check<'_, P, 
     type Output = Result<(), EngineError>;
 
     fn visit<Q: Pass<D>>(&mut self, pass: &Q) -> Self::Output {
-        let footprint = Footprint::of_pass::<D, Q>();
+        let footprint = Footprint::of_pass::<D, Q>(pass);
         for component in components(&[footprint.own, footprint.other].concat(), D) {
             let exact = self.reference.read(component)?;
             let rounded: Vec<f64> = exact.into_iter().map(to_precision::<P>).collect();
@@ -236,7 +236,8 @@ impl Summary {
 }
 
 /// All passes on all difficult sets in `D` dimensions: every dissipation scheme with the paper's kernel, every kernel and every grad-h
-/// form with the paper's scheme, and conduction. `make` builds an engine of precision `P`.
+/// form with the paper's scheme, conduction, and gradients and volume elements other than the usual ones, each with a scheme that has sweeps
+/// of its own. `make` builds an engine of precision `P`.
 pub fn check_dimension<const D: usize, P: Roundoff, E: Engine<D>>(
     mut make: impl FnMut(&ParticleSet<D>, &[Field]) -> Result<E, EngineError>,
 ) -> Result<Summary, EngineError> {
@@ -249,18 +250,39 @@ pub fn check_dimension<const D: usize, P: Roundoff, E: Engine<D>>(
     let kernels = Kernel::ALL.iter().map(|&kernel| Physics { kernel, ..usual }).filter(|physics| *physics != usual);
     let forms = GradH::ALL.iter().map(|&grad_h| Physics { grad_h, ..usual }).filter(|physics| *physics != usual);
     let conduction = with(Viscosity { conduction: Viscosity::CONDUCTION, ..viscosity });
-    for (round, physics) in schemes.chain(kernels).chain(forms).chain([conduction]).enumerate() {
-        // The plainest scheme, the usual one and conduction, which is a pass of its own, meet every difficulty, the variations only the
-        // first ones: what is difficult is the same for all.
-        let every = round == 0 || physics == usual || physics == conduction;
+    let formulation = |gradients, volume_element, dissipation, conduction| Physics {
+        gradients,
+        volume_element,
+        viscosity: Viscosity { conduction, ..Viscosity::of(dissipation) },
+        ..usual
+    };
+    // With the switch and conduction the classic one has every sweep that takes gradients.
+    let classic = formulation(Gradients::Kernel, VolumeElement::Standard, Dissipation::AvSwSlr, Viscosity::CONDUCTION);
+    let formulations = [
+        classic,
+        Physics {
+            grad_h: GradH::Exact,
+            ..formulation(Gradients::Integral, VolumeElement::Standard, Dissipation::Av, 0.0)
+        },
+        formulation(Gradients::Kernel, VolumeElement::Generalised, Dissipation::AvSlrB2, 0.0),
+    ];
+    let all = schemes.chain(kernels).chain(forms).chain([conduction]).chain(formulations);
+    for (round, physics) in all.enumerate() {
+        // The plainest scheme, the usual one, the classic one and conduction, which is a pass of its own, meet every difficulty, the
+        // variations only the first ones: what is difficult is the same for all.
+        let every = round == 0 || physics == usual || physics == conduction || physics == classic;
         let tried = if every { Difficulty::ALL } else { &Difficulty::ALL[..2] };
         for &difficulty in tried {
             let across = [24, 10, 9][D - 1];
             let set =
                 sets::set::<D>(difficulty, across, &physics, 1 + round as u64).map_err(EngineError::from_display)?;
             let place = format!(
-                "{D}-D, {difficulty:?}, {}, {}, {}",
-                physics.viscosity.dissipation, physics.kernel, physics.grad_h
+                "{D}-D, {difficulty:?}, {}, {}, {}, gradients {}, volume elements {}",
+                physics.viscosity.dissipation,
+                physics.kernel,
+                physics.grad_h,
+                physics.gradients,
+                physics.volume_element
             );
             check_set::<D, P, E>(&mut summary, &mut make, &set, physics, difficulty, &place)?;
         }

@@ -64,14 +64,14 @@ fields! {
     MOMENT_MATRIX = "moment_matrix", "\\tau", "L^2", Symmetric;
     /// Its inverse `c` (C25 1).
     GRADIENT_MATRIX = "gradient_matrix", "c", "L^-2", Symmetric;
-    /// First moments of the velocity differences (C25 3).
+    /// First moments of the velocity differences (C25 3); with kernel gradients, the velocity gradient itself (4).
     VELOCITY_MOMENT = "velocity_moment", "I", "L^2 T^-1", Matrix;
     /// The symmetric part of the velocity gradient, `(J + J^T) / 2`.
     STRAIN_RATE = "strain_rate", "\\frac12(J+J^T)", "T^-1", Symmetric;
     /// Balsara's limiter (GS25 8).
     BALSARA = "balsara", "\\mathcal{B}", "", Scalar;
 
-    /// First moments of the differences of the velocity's divergence (C25 3 for `div v`).
+    /// First moments of the differences of the velocity's divergence (C25 3 for `div v`); with kernel gradients, its gradient (4).
     DIVERGENCE_MOMENT = "divergence_moment", "I_{\\nabla\\cdot v}", "L T^-1", Vector;
     /// The linear viscosity coefficient that the local flow asks for (GS25 9).
     LOCAL_ALPHA = "local_alpha", "\\alpha_{loc}", "", Scalar;

@@ -29,11 +29,14 @@ macro_rules! catalogue {
             pub fn is_of_mixture(self) -> bool {
                 match self { $(PassKind::$gas => false,)* $(PassKind::$name => true,)* }
             }
-            /// What it reads and writes.
-            pub fn footprint<const D: usize>(self) -> Footprint {
+            /// What it reads and writes under a scene's physics.
+            pub fn footprint<const D: usize>(self, physics: &Physics) -> Footprint {
                 match self {
-                    $(PassKind::$gas => Footprint::of_pass::<D, $gas>(),)*
-                    $(PassKind::$name => Footprint::of_pass::<D, $first$(<$inner>)?>(),)*
+                    $(PassKind::$gas => Footprint::of_pass::<D, _>(&$gas(*physics)),)*
+                    $(PassKind::$name => {
+                        let physics = *physics;
+                        Footprint::of_pass::<D, _>(&catalogue!(@make physics $first $($inner)?))
+                    })*
                 }
             }
             /// Makes the pass for a scene's physics and hands it to the visitor.
@@ -162,9 +165,10 @@ pub const STATE: &[Field] = &[
 pub const SCHEME_STATE: &[Field] = &[fields::REMAINING_ALPHA, fields::SPECIES];
 
 /// The passes of a step, in order, and the updates around them.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Pipeline {
     passes: Vec<PassKind>,
+    physics: Physics,
     /// What moves walls.
     driving: &'static [UpdateKind],
     /// What adds to the passes' accelerations.
@@ -198,38 +202,39 @@ impl Pipeline {
             Some(Driver { moves: true, .. }) => &[UpdateKind::DriveWall, UpdateKind::MoveWall],
         };
         let pushing: &[UpdateKind] = if physics.forced { &[UpdateKind::Push] } else { &[] };
-        Pipeline { driving, pushing, ..Self::leading_to_all::<D>(last) }
+        Pipeline { driving, pushing, ..Self::leading_to_all::<D>(last, physics) }
     }
 
     /// The passes that give densities and what the smoothing length's update asks for besides.
     pub fn of_smoothing_lengths<const D: usize>(physics: &Physics) -> Self {
-        Self::leading_to::<D>(match physics.drag {
+        let last = match physics.drag {
             Some(_) => PassKind::SpeciesGradients,
             None => PassKind::Gradients,
-        })
+        };
+        Self::leading_to::<D>(last, physics)
     }
 
     /// A pass, preceded by those that write what it reads, and so on back to the [`STATE`].
-    pub fn leading_to<const D: usize>(last: PassKind) -> Self {
-        Self::leading_to_all::<D>(vec![last])
+    pub fn leading_to<const D: usize>(last: PassKind, physics: &Physics) -> Self {
+        Self::leading_to_all::<D>(vec![last], physics)
     }
 
-    fn leading_to_all<const D: usize>(mut chosen: Vec<PassKind>) -> Self {
+    fn leading_to_all<const D: usize>(mut chosen: Vec<PassKind>, physics: &Physics) -> Self {
         let mixture = chosen.iter().any(|pass| pass.is_of_mixture());
         loop {
             // What a pass changes of its own it must have from another.
             let written = |by_other_than: &PassKind, field: &Field| {
-                chosen.iter().any(|p| p != by_other_than && p.footprint::<D>().out.contains(field))
+                chosen.iter().any(|p| p != by_other_than && p.footprint::<D>(physics).out.contains(field))
             };
             let missing = |reader: &PassKind| {
                 let given = |field: &Field| STATE.contains(field) || SCHEME_STATE.contains(field);
-                let mut wanted = reads::<D>(*reader);
+                let mut wanted = reads::<D>(*reader, physics);
                 wanted.retain(|field| !given(field) && !written(reader, field));
                 wanted
             };
             let writers = |field: Field| {
                 let fits = |p: &&PassKind| p.is_of_mixture() == mixture && !chosen.contains(p);
-                let writes = |p: &&PassKind| p.footprint::<D>().out.contains(&field);
+                let writes = |p: &&PassKind| p.footprint::<D>(physics).out.contains(&field);
                 PassKind::ALL.iter().filter(fits).filter(writes).copied().collect::<Vec<_>>()
             };
             // A field with a single writer decides first: that pass may bring the other wanted fields along.
@@ -241,7 +246,12 @@ impl Pipeline {
             }
         }
         chosen.sort_by_key(|p| PassKind::ALL.iter().position(|q| q == p));
-        Pipeline { passes: chosen, driving: &[], pushing: &[] }
+        Pipeline { passes: chosen, physics: *physics, driving: &[], pushing: &[] }
+    }
+
+    /// What the passes read and write, in the order they run.
+    pub fn footprints<const D: usize>(&self) -> Vec<Footprint> {
+        self.passes.iter().map(|pass| pass.footprint::<D>(&self.physics)).collect()
     }
 
     /// The passes, in the order they run.
@@ -316,7 +326,7 @@ impl Pipeline {
         let (mut carried, mut written) = (Vec::new(), Vec::new());
         let opening = self.opening().iter().chain(self.driving).map(|u| u.footprint::<D>());
         let closing = self.pushing.iter().chain(self.closing()).map(|u| u.footprint::<D>());
-        for footprint in opening.chain(self.passes.iter().map(|p| p.footprint::<D>())).chain(closing) {
+        for footprint in opening.chain(self.footprints::<D>()).chain(closing) {
             for field in footprint.own.into_iter().chain(footprint.other) {
                 if !written.contains(&field) && !carried.contains(&field) {
                     carried.push(field);
@@ -331,7 +341,7 @@ impl Pipeline {
     pub fn fields<const D: usize>(&self) -> Vec<Field> {
         let mut all = STATE.to_vec();
         let updates = self.updates().map(|u| u.footprint::<D>());
-        for footprint in self.passes.iter().map(|p| p.footprint::<D>()).chain(updates) {
+        for footprint in self.footprints::<D>().into_iter().chain(updates) {
             for field in footprint.own.into_iter().chain(footprint.other).chain(footprint.out) {
                 if !all.contains(&field) {
                     all.push(field);
@@ -342,25 +352,76 @@ impl Pipeline {
     }
 }
 
-fn reads<const D: usize>(pass: PassKind) -> Vec<Field> {
-    let footprint = pass.footprint::<D>();
+fn reads<const D: usize>(pass: PassKind, physics: &Physics) -> Vec<Field> {
+    let footprint = pass.footprint::<D>(physics);
     footprint.own.into_iter().chain(footprint.other).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::schemes::{GradH, Viscosity, VolumeElement};
     use etalon_kernels_gen::components;
 
     #[test]
     fn a_scheme_gets_the_passes_it_needs_and_no_others() {
         use PassKind::*;
-        let plain = Pipeline::leading_to::<3>(PassKind::Momentum);
+        let plain = Pipeline::leading_to::<3>(PassKind::Momentum, &Physics::STANDARD);
         assert_eq!(plain.passes(), [VolumeElements, Density, Gradients, Momentum]);
-        let reconstructed = Pipeline::leading_to::<3>(PassKind::ReconstructedMomentum);
+        let reconstructed = Pipeline::leading_to::<3>(PassKind::ReconstructedMomentum, &Physics::STANDARD);
         assert_eq!(reconstructed.passes(), [VolumeElements, Density, VelocityGradients, ReconstructedMomentum]);
         assert!(!plain.fields::<3>().contains(&fields::STRAIN_RATE));
         assert!(reconstructed.fields::<3>().contains(&fields::STRAIN_RATE));
+    }
+
+    /// Every way to take gradients with every volume element and grad-h form.
+    fn formulations() -> Vec<Physics> {
+        let mut all = Vec::new();
+        for &gradients in crate::schemes::Gradients::ALL {
+            for &volume_element in VolumeElement::ALL {
+                for &grad_h in GradH::ALL {
+                    all.push(Physics { gradients, volume_element, grad_h, ..Physics::STANDARD });
+                }
+            }
+        }
+        all
+    }
+
+    #[test]
+    fn what_a_formulation_does_without_nothing_carries() {
+        use PassKind::*;
+        let usual = Physics { viscosity: Viscosity::of(Dissipation::Av), ..Physics::STANDARD };
+        let standard = Physics { volume_element: VolumeElement::Standard, ..usual };
+        let classic = Physics { gradients: crate::schemes::Gradients::Kernel, ..standard };
+        let fields = |physics: &Physics| Pipeline::of_scene::<3>(physics).fields::<3>();
+        assert_eq!(Pipeline::of_scene::<3>(&usual).passes(), [VolumeElements, Density, Gradients, Momentum]);
+        // The plain density is the density: no sweep before it.
+        for physics in [standard, classic] {
+            assert_eq!(Pipeline::of_scene::<3>(&physics).passes(), [Density, Gradients, Momentum]);
+        }
+        let gone = |from: &Physics, to: &Physics| {
+            let kept = fields(to);
+            assert!(kept.iter().all(|field| fields(from).contains(field)));
+            fields(from).into_iter().filter(|field| !kept.contains(field)).collect::<Vec<_>>()
+        };
+        let of_volumes = [
+            fields::STANDARD_DENSITY,
+            fields::VOLUME_ESTIMATOR,
+            fields::KERNEL_NORMALISATION,
+            fields::VOLUME_ESTIMATOR_DERIVATIVE,
+        ];
+        let gone_with_volumes = gone(&usual, &standard);
+        assert_eq!(gone_with_volumes.len(), 4);
+        assert!(of_volumes.iter().all(|field| gone_with_volumes.contains(field)));
+        assert_eq!(gone(&standard, &classic), [fields::GRADIENT_MATRIX]);
+        // Sums are counted by pass: the matrix's moments are not summed, nor X's derivative.
+        let sums = |pass: PassKind, physics: &Physics| components(&pass.footprint::<3>(physics).sums, 3).len();
+        assert_eq!((sums(Gradients, &usual), sums(Gradients, &standard), sums(Gradients, &classic)), (7, 7, 1));
+        assert_eq!((sums(Density, &usual), sums(Density, &standard)), (3, 2));
+        assert_eq!((sums(VelocityGradients, &usual), sums(VelocityGradients, &classic)), (16, 10));
+        // Numbers of a neighbour in the last sweep: the plain density and six of the matrix fewer.
+        let others = |physics: &Physics| components(&Momentum.footprint::<3>(physics).other, 3).len();
+        assert_eq!((others(&usual), others(&standard), others(&classic)), (15, 14, 8));
     }
 
     #[test]
@@ -403,7 +464,7 @@ mod tests {
         assert_eq!(with.passes()[4..], [Conduction]);
         assert_eq!(with.fields::<3>(), without.fields::<3>(), "it carries nothing of its own");
         assert_eq!(
-            Pipeline::leading_to::<1>(Conduction).passes(),
+            Pipeline::leading_to::<1>(Conduction, &physics).passes(),
             [VolumeElements, Density, Gradients, Momentum, Conduction]
         );
     }
@@ -446,21 +507,26 @@ mod tests {
 
     #[test]
     fn no_pass_writes_what_it_reads_of_its_neighbours() {
-        for pass in PassKind::ALL {
-            let footprint = pass.footprint::<3>();
-            for field in &footprint.out {
-                assert!(!footprint.other.contains(field), "{} writes {} while it reads it", footprint.name, field.name);
+        for physics in formulations() {
+            for pass in PassKind::ALL {
+                let footprint = pass.footprint::<3>(&physics);
+                for field in &footprint.out {
+                    let name = footprint.name;
+                    assert!(!footprint.other.contains(field), "{name} writes {} while it reads it", field.name);
+                }
             }
         }
     }
 
     #[test]
     fn every_pass_runs_after_those_that_write_what_it_reads() {
-        for &last in PassKind::ALL {
-            let mut known: Vec<Field> = [STATE, SCHEME_STATE].concat();
-            for pass in Pipeline::leading_to::<2>(last).passes() {
-                assert!(reads::<2>(*pass).iter().all(|f| known.contains(f)), "{pass:?} reads too early");
-                known.extend(pass.footprint::<2>().out);
+        for physics in formulations() {
+            for &last in PassKind::ALL {
+                let mut known: Vec<Field> = [STATE, SCHEME_STATE].concat();
+                for pass in Pipeline::leading_to::<2>(last, &physics).passes() {
+                    assert!(reads::<2>(*pass, &physics).iter().all(|f| known.contains(f)), "{pass:?} reads too early");
+                    known.extend(pass.footprint::<2>(&physics).out);
+                }
             }
         }
     }

@@ -57,6 +57,67 @@ choice! {
 }
 
 choice! {
+    /// How derivatives are estimated: the first rung of C25's ladder.
+    Gradients, "way to take gradients" {
+        /// With the kernel's own gradient `grad_a W_ab`: angular momentum is kept exactly, linear fields are not.
+        Kernel = "kernel",
+        /// By the integral approach (C25 1-5): exact for linear fields.
+        Integral = "integral",
+    }
+}
+
+choice! {
+    /// Which volume a particle stands for: the second rung of C25's ladder.
+    VolumeElement, "volume element" {
+        /// `m / rho` with `rho = sum m_b W_ab`.
+        Standard = "standard",
+        /// `X / k` with `X = m / rho^0`, `k = sum X_b W_ab` (C25 19, 20).
+        Generalised = "generalised",
+    }
+}
+
+choice! {
+    /// The rungs of C25's ladder (section 2, Figure 1), by the paper's names; each has the ingredients of those before it.
+    Rung, "rung of the ladder" {
+        /// The classic scheme: kernel gradients, standard volume elements, constant viscosity.
+        Standard = "STD",
+        /// Gradients by integrals.
+        IntegralGradients = "IA",
+        /// Generalised volume elements.
+        VolumeElements = "GVE",
+        /// A viscosity that varies in time.
+        VariableViscosity = "VAV",
+        /// Slope-limited reconstruction.
+        SlopeLimitedReconstruction = "SLR",
+    }
+}
+
+impl Rung {
+    /// How it takes gradients.
+    pub const fn gradients(self) -> Gradients {
+        match self {
+            Rung::Standard => Gradients::Kernel,
+            _ => Gradients::Integral,
+        }
+    }
+    /// Its volume elements.
+    pub const fn volume_element(self) -> VolumeElement {
+        match self {
+            Rung::Standard | Rung::IntegralGradients => VolumeElement::Standard,
+            _ => VolumeElement::Generalised,
+        }
+    }
+    /// Its dissipation scheme, in GS25's names: C25 (15, 16) are GS25 (9, 10), and (8-14) are (11-17).
+    pub const fn dissipation(self) -> Dissipation {
+        match self {
+            Rung::Standard | Rung::IntegralGradients | Rung::VolumeElements => Dissipation::Av,
+            Rung::VariableViscosity => Dissipation::AvSw,
+            Rung::SlopeLimitedReconstruction => Dissipation::AvSwSlr,
+        }
+    }
+}
+
+choice! {
     /// Which velocity of approach stands in the viscosity.
     ApproachForm, "form of the viscosity" {
         /// `omega`, along the line of centres (GS25 6).

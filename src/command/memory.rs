@@ -28,7 +28,7 @@ impl Memory {
         let size = precision.bytes() as f64;
         let numbers = components(&pipeline.fields::<D>(), D).len() as f64;
         let widest = |of: &dyn Fn(&etalon_kernels_gen::Footprint) -> usize| {
-            pipeline.passes().iter().map(|pass| of(&pass.footprint::<D>())).max().unwrap_or(0) as f64
+            pipeline.footprints::<D>().iter().map(of).max().unwrap_or(0) as f64
         };
         let axes = D as f64;
         match backend {

@@ -13,7 +13,7 @@
 //! All but `scene` may be left out; what is left out is as in the paper.
 
 use etalon_reference::scenes::{Arrangement, Definition, Method, Name, Problem, ReadChoices};
-use etalon_reference::schemes::{Dissipation, GradH, Kernel, Viscosity};
+use etalon_reference::schemes::{Dissipation, GradH, Gradients, Kernel, Rung, Viscosity, VolumeElement};
 use serde::{Deserialize, Serialize, Serializer};
 use std::ops::Range;
 
@@ -52,6 +52,12 @@ pub struct MethodChanges {
     pub neighbours: Option<f64>,
     /// The dissipation scheme.
     pub scheme: Option<Dissipation>,
+    /// A rung of C25's ladder: gradients, volume elements and scheme at once; what is said of each besides goes before it.
+    pub rung: Option<Rung>,
+    /// How derivatives are estimated.
+    pub gradients: Option<Gradients>,
+    /// Which volume a particle stands for.
+    pub volume_elements: Option<VolumeElement>,
     /// The grad-h form.
     pub grad_h: Option<GradH>,
     /// Linear coefficient of the viscosity.
@@ -71,27 +77,35 @@ pub struct MethodChanges {
 }
 
 impl MethodChanges {
-    /// What these and then `later` change together.
+    /// What these and then `later` change together. A later rung takes the place of all that it decides.
     pub fn and(self, later: Self) -> Self {
+        let earlier = match later.rung {
+            Some(_) => MethodChanges { scheme: None, gradients: None, volume_elements: None, ..self },
+            None => self,
+        };
         MethodChanges {
-            particles: later.particles.or(self.particles),
-            start: later.start.or(self.start),
-            kernel: later.kernel.or(self.kernel),
-            neighbours: later.neighbours.or(self.neighbours),
-            scheme: later.scheme.or(self.scheme),
-            grad_h: later.grad_h.or(self.grad_h),
-            alpha: later.alpha.or(self.alpha),
-            alpha_min: later.alpha_min.or(self.alpha_min),
-            beta: later.beta.or(self.beta),
-            q_fold: later.q_fold.or(self.q_fold),
-            floor: later.floor.or(self.floor),
-            wave_period: later.wave_period.or(self.wave_period),
-            conduction: later.conduction.or(self.conduction),
+            particles: later.particles.or(earlier.particles),
+            start: later.start.or(earlier.start),
+            kernel: later.kernel.or(earlier.kernel),
+            neighbours: later.neighbours.or(earlier.neighbours),
+            scheme: later.scheme.or(earlier.scheme),
+            rung: later.rung.or(earlier.rung),
+            gradients: later.gradients.or(earlier.gradients),
+            volume_elements: later.volume_elements.or(earlier.volume_elements),
+            grad_h: later.grad_h.or(earlier.grad_h),
+            alpha: later.alpha.or(earlier.alpha),
+            alpha_min: later.alpha_min.or(earlier.alpha_min),
+            beta: later.beta.or(earlier.beta),
+            q_fold: later.q_fold.or(earlier.q_fold),
+            floor: later.floor.or(earlier.floor),
+            wave_period: later.wave_period.or(earlier.wave_period),
+            conduction: later.conduction.or(earlier.conduction),
         }
     }
 
     /// The method so changed. A wider kernel without a neighbour number of its own gets more, so that the smoothing length stays.
     pub fn of(&self, usual: Method, dimension: usize) -> Method {
+        let usual = self.rung.map_or(usual, |rung| usual.on(rung));
         let kernel = self.kernel.unwrap_or(usual.kernel);
         let wider = Method::usual_neighbours(dimension, kernel) / Method::usual_neighbours(dimension, usual.kernel);
         let coefficients = match self.scheme {
@@ -113,6 +127,8 @@ impl MethodChanges {
                 conduction: self.conduction.unwrap_or(coefficients.conduction),
                 ..coefficients
             },
+            gradients: self.gradients.unwrap_or(usual.gradients),
+            volume_element: self.volume_elements.unwrap_or(usual.volume_element),
             grad_h: self.grad_h.unwrap_or(usual.grad_h),
         }
     }
@@ -247,7 +263,8 @@ pub fn choices(problem: &Problem) -> Result<toml::Table, toml::ser::Error> {
 /// A scene as a text that [`SceneFile::parse`] reads again, everything spelled out.
 pub fn text(problem: &Problem, dimension: usize, end_time: f64) -> Result<String, toml::ser::Error> {
     let name = problem.name();
-    let Method { particles, arrangement, kernel, neighbours, viscosity, grad_h } = *problem.method();
+    let Method { particles, arrangement, kernel, neighbours, viscosity, gradients, volume_element, grad_h } =
+        *problem.method();
     let Viscosity { dissipation, alpha, alpha_min, beta, q_fold, floor, wave_period, conduction, .. } = viscosity;
     let dimensions: Vec<String> = name.dimensions().iter().map(ToString::to_string).collect();
     let float = |value: f64| toml::Value::Float(value).to_string();
@@ -265,6 +282,8 @@ pub fn text(problem: &Problem, dimension: usize, end_time: f64) -> Result<String
         format!("kernel = \"{kernel}\"  # {}", names(Kernel::ALL)),
         format!("neighbours = {}  # within a support, the particle included", float(neighbours)),
         format!("scheme = \"{dissipation}\"  # {}", names(Dissipation::ALL)),
+        format!("gradients = \"{gradients}\"  # {}", names(Gradients::ALL)),
+        format!("volume_elements = \"{volume_element}\"  # {}", names(VolumeElement::ALL)),
         format!("grad_h = \"{grad_h}\"  # {}", names(GradH::ALL)),
         format!(
             "alpha = {}  # linear coefficient of the viscosity, the largest where it depends on time",
@@ -339,6 +358,35 @@ mod tests {
             for word in words {
                 assert!(wrong.problem.contains(word), "{text}: {wrong}");
             }
+        }
+    }
+
+    #[test]
+    fn a_rung_is_three_choices_and_each_can_be_changed_again() {
+        let method = |text: &str| {
+            let text = format!("scene = \"sod\"\n[method]\n{text}\n");
+            *SceneFile::parse(&text).unwrap().problem(2).unwrap().method()
+        };
+        let usual = method("");
+        assert_eq!(method("rung = \"STD\""), usual.on(Rung::Standard));
+        assert_eq!(
+            method("gradients = \"kernel\"\nvolume_elements = \"standard\"\nscheme = \"AV\""),
+            usual.on(Rung::Standard)
+        );
+        let changed = method("rung = \"IA\"\ngradients = \"kernel\"\nalpha = 0.5");
+        assert_eq!((changed.gradients, changed.viscosity.alpha), (Gradients::Kernel, 0.5));
+        assert_eq!(changed.volume_element, VolumeElement::Standard);
+        // What a file spells out gives way to a rung chosen later.
+        let spelled = MethodChanges { scheme: Some(Dissipation::AvSlr), alpha: Some(0.5), ..MethodChanges::default() };
+        let later = MethodChanges { rung: Some(Rung::Standard), ..MethodChanges::default() };
+        let both = spelled.and(later).of(usual, 2);
+        assert_eq!((both.viscosity.dissipation, both.viscosity.alpha), (Dissipation::Av, 0.5));
+        // Written down, every rung is read as the same.
+        for &rung in Rung::ALL {
+            let mut problem = Name::Sod.standard(2).unwrap();
+            *problem.method_mut() = problem.method().on(rung);
+            let written = text(&problem, 2, 0.2).unwrap();
+            assert_eq!(SceneFile::parse(&written).unwrap().problem(2).unwrap(), problem, "{written}");
         }
     }
 

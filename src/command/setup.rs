@@ -8,7 +8,7 @@ use crate::report::plain;
 use etalon_kernels_gen::lanes::{available_levels, level_name};
 use etalon_reference::passes::Physics;
 use etalon_reference::scenes::{Method, Name, Problem, SceneError};
-use etalon_reference::schemes::Viscosity;
+use etalon_reference::schemes::{Gradients, Viscosity, VolumeElement};
 use fearless_simd::Level;
 use std::path::{Path, PathBuf};
 
@@ -148,7 +148,8 @@ impl Setup {
 
     /// Options that give this setup again, all spelled out.
     pub fn options(&self) -> String {
-        let Method { particles, arrangement, kernel, neighbours, viscosity, grad_h } = *self.method();
+        let Method { particles, arrangement, kernel, neighbours, viscosity, gradients, volume_element, grad_h } =
+            *self.method();
         let name = self.problem.name();
         let scene = self.file.as_ref().map_or_else(|| name.to_string(), |path| quoted(&path.display().to_string()));
         let particles = match &self.start_file {
@@ -168,15 +169,27 @@ impl Setup {
         ];
         let changed = coefficients.iter().filter(|(_, value, usual)| value != usual);
         let coefficients: String = changed.map(|(key, value, _)| format!(" --set {METHOD}{key}={value}")).collect();
+        let formulation = formulation(gradients, volume_element);
+        let formulation: String =
+            formulation.iter().map(|(key, value)| format!(" --set {METHOD}{key}={value}")).collect();
         // A key is part of a problem's definition: it has a TOML form.
         let choices = scene_file::choices(&self.problem).unwrap_or_default();
         let choices: String =
             choices.iter().map(|(key, value)| format!(" --set {}", quoted(&setting(key, value)))).collect();
         format!(
             "{scene} --dim {} {particles} --scheme {dissipation} --kernel {kernel} --neighbours {neighbours} --grad-h {grad_h}\
-             {conduction}{coefficients}{choices} --end-time {}",
+             {conduction}{coefficients}{formulation}{choices} --end-time {}",
             self.dimension, self.end_time
         )
+    }
+
+    /// Gradients and volume elements in words, where they are not the usual ones.
+    pub fn formulation(&self) -> Option<String> {
+        let Method { gradients, volume_element, .. } = *self.method();
+        let words = formulation(gradients, volume_element);
+        let words: Vec<String> =
+            words.iter().map(|(key, value)| format!("{} {value}", key.replace('_', " "))).collect();
+        (!words.is_empty()).then(|| words.join(", "))
     }
 
     /// The scheme's coefficients in words.
@@ -194,6 +207,18 @@ impl Setup {
         }
         words
     }
+}
+
+/// Gradients and volume elements where they are not the usual ones, by the keys of a scene file.
+fn formulation(gradients: Gradients, volume_element: VolumeElement) -> Vec<(&'static str, &'static str)> {
+    let mut unusual = Vec::new();
+    if gradients != Physics::STANDARD.gradients {
+        unusual.push(("gradients", gradients.name()));
+    }
+    if volume_element != Physics::STANDARD.volume_element {
+        unusual.push(("volume_elements", volume_element.name()));
+    }
+    unusual
 }
 
 /// A key and its value as `--set` takes them; a word without its quotes.

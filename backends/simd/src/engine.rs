@@ -6,7 +6,7 @@ use crate::store::{BLOCK, Store};
 use crate::sweep::{BlockUpdate, InDimension, Inputs, Layout, MOST, SegmentSweep, pack_block};
 use crate::timing::Timings;
 use etalon_kernels_gen::lanes::dispatch;
-use etalon_kernels_gen::{Component, Field, Footprint, Pass, Update, components};
+use etalon_kernels_gen::{Component, Field, Footprint, Part, Pass, Reduction, Update, used_components};
 use etalon_reference::engine::{Arrangement, Engine, EngineError, smaller};
 use etalon_reference::fields;
 use etalon_reference::particles::ParticleSet;
@@ -114,19 +114,23 @@ impl<T: Number, const D: usize> LaneEngine<T, D> {
         Ok(self.slots(&[component.field])?[component.index])
     }
 
-    fn layout(&self, footprint: &Footprint) -> Result<Layout, EngineError> {
+    fn layout<P: Pass<D>>(&self, pass: &P) -> Result<Layout, EngineError> {
+        let slots = |part| -> Result<Vec<Option<usize>>, EngineError> {
+            let slot = |component: Option<Component>| component.map(|component| self.slot(component)).transpose();
+            used_components::<D, P>(pass, part).into_iter().map(slot).collect()
+        };
+        // For what the pass has no use for, the first number there is does as well as any other.
+        let read = |part| Ok(slots(part)?.into_iter().map(Option::unwrap_or_default).collect());
+        let reduction = |sum: Option<Component>| sum.map_or(Reduction::Sum, |sum| sum.field.reduction);
         let layout = Layout {
-            own: self.slots(&footprint.own)?,
-            other: self.slots(&footprint.other)?,
-            reductions: components(&footprint.sums, D).iter().map(|c| c.field.reduction).collect(),
-            out: self.slots(&footprint.out)?,
+            own: read(Part::Own)?,
+            other: read(Part::Other)?,
+            reductions: used_components::<D, P>(pass, Part::Sums).into_iter().map(reduction).collect(),
+            out: slots(Part::Out)?,
         };
         let most = layout.record_len(D).max(layout.reductions.len());
         if most > MOST {
-            return Err(EngineError(format!(
-                "pass {} handles {most} numbers a pair; the most is {MOST}",
-                footprint.name
-            )));
+            return Err(EngineError(format!("pass {} handles {most} numbers a pair; the most is {MOST}", P::NAME)));
         }
         Ok(layout)
     }
@@ -177,7 +181,7 @@ impl<T: Number, const D: usize> Engine<D> for LaneEngine<T, D> {
 
     fn run_pass<P: Pass<D>>(&mut self, pass: &P) -> Result<(), EngineError> {
         let start = Instant::now();
-        let layout = self.layout(&Footprint::of_pass::<D, P>())?;
+        let layout = self.layout(pass)?;
         if self.list.particles() != self.identity.len() {
             return Err(EngineError(format!("pass {} was asked for before neighbours were found", P::NAME)));
         }

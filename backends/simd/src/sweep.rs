@@ -19,8 +19,8 @@ pub struct Layout {
     pub other: Vec<usize>,
     /// How each sum is reduced.
     pub reductions: Vec<Reduction>,
-    /// Slots written.
-    pub out: Vec<usize>,
+    /// Slots written; none for a number that goes nowhere.
+    pub out: Vec<Option<usize>>,
 }
 
 impl Layout {
@@ -216,7 +216,9 @@ fn epilogue<T: Number, S: LaneLevel, P: Pass<D>, const D: usize>(
         pass.finish(&own, &sums).for_each(
             #[inline(always)]
             |value| {
-                T::store::<S>(value, &mut block[layout.out[k] * BLOCK + first..]);
+                if let Some(slot) = layout.out[k] {
+                    T::store::<S>(value, &mut block[slot * BLOCK + first..]);
+                }
                 k += 1;
             },
         );

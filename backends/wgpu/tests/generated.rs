@@ -7,7 +7,8 @@ use etalon_reference::passes::{KickDrift, Physics};
 use etalon_reference::pipeline::{PassKind, PassVisitor, Pipeline, UpdateVisitor};
 use etalon_reference::scenes::sod::Sod;
 use etalon_reference::schemes::{
-    CommonPoint, Dissipation, Drag, DragReconstruction, GradH, Kernel, SlopeLimiter, Viscosity,
+    CommonPoint, Dissipation, Drag, DragReconstruction, GradH, Gradients, Kernel, SlopeLimiter, Viscosity,
+    VolumeElement,
 };
 use etalon_wgpu::{Slots, pass_text, update_text, validate, wgsl};
 use std::collections::BTreeSet;
@@ -58,8 +59,19 @@ fn all_valid<const D: usize>() {
     let kernels = Kernel::ALL.iter().map(|&kernel| Physics { kernel, ..usual });
     let conducting = Viscosity { conduction: Viscosity::CONDUCTION, ..usual.viscosity };
     let others = [Physics { grad_h: GradH::Exact, ..usual }, Physics { viscosity: conducting, ..usual }];
+    let standard = VolumeElement::Standard;
+    let formulations = [
+        Physics { gradients: Gradients::Kernel, ..usual },
+        Physics { volume_element: standard, grad_h: GradH::Exact, ..usual },
+        Physics {
+            gradients: Gradients::Kernel,
+            volume_element: standard,
+            viscosity: Viscosity { conduction: Viscosity::CONDUCTION, ..Viscosity::of(Dissipation::AvSwSlr) },
+            ..usual
+        },
+    ];
     let mut seen = 0;
-    for physics in schemes.chain(kernels).chain(others) {
+    for physics in schemes.chain(kernels).chain(others).chain(formulations) {
         for (name, text) in texts::<D>(physics) {
             validate(name, &text).unwrap_or_else(|error| panic!("{D}-D {physics:?}: {error}\n{text}"));
             // WebGPU guarantees eight.
@@ -70,7 +82,9 @@ fn all_valid<const D: usize>() {
     }
     // Four passes and two updates; a sweep and an update more with a switch, a sweep more with conduction.
     let switched = Dissipation::ALL.iter().filter(|d| d.switches()).count();
-    assert_eq!(seen, 6 * (Dissipation::ALL.len() + Kernel::ALL.len() + 2) + 2 * switched + 1);
+    let usual = 6 * (Dissipation::ALL.len() + Kernel::ALL.len() + 2) + 2 * switched + 1;
+    // With standard volumes a sweep less.
+    assert_eq!(seen, usual + 6 + (6 - 1) + (6 - 1 + 2 + 1));
 }
 
 #[test]
@@ -122,6 +136,28 @@ fn gas_with_dust_reads_like_code() {
     for (name, text) in texts::<1>(Physics { drag: Some(Drag::of(1000.0)), ..gas }) {
         if ["volume_elements", "linear_gradients", "reconstructed_drag_forces"].contains(&name) {
             insta::assert_snapshot!(format!("1d_dust_{name}"), generated(1, &text));
+        }
+    }
+}
+
+#[test]
+fn what_a_formulation_does_without_is_not_printed() {
+    let usual = physics::<3>(Dissipation::AvSlrB2);
+    let printed = |physics, word: &str| texts::<3>(physics).iter().any(|(_, text)| text.contains(word));
+    let kernel = Physics { gradients: Gradients::Kernel, ..usual };
+    let standard = Physics { volume_element: VolumeElement::Standard, ..usual };
+    for (physics, words) in [
+        (kernel, &["gradient_matrix", "moment_matrix"][..]),
+        (standard, &["volume_estimator", "standard_density:", "crossed"]),
+    ] {
+        for word in words {
+            assert!(printed(usual, word), "{word} is in the usual texts");
+            assert!(
+                !printed(physics, word),
+                "{word} is printed with gradients {} and {}",
+                physics.gradients,
+                physics.volume_element
+            );
         }
     }
 }

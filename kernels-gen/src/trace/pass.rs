@@ -9,8 +9,9 @@ use super::drawing::Drawing;
 use super::error::TraceError;
 use super::lint::Finding;
 use super::symbol::{Pen, Significand, Symbol, draw};
-use crate::pass::{Pass, Separation, Update};
-use crate::record::{Field, Quantity, Record, Reduction, components};
+use crate::pass::{Part, Pass, Separation, Update, used_components};
+use crate::real::Real;
+use crate::record::{Component, Field, Quantity, Record, Reduction, components};
 use crate::vector::Vector;
 
 /// One number that a pass sums over the neighbours.
@@ -62,6 +63,29 @@ fn names(fields: &[Field], dimension: usize) -> Vec<String> {
     components(fields, dimension).iter().map(|component| component.name(dimension)).collect()
 }
 
+fn names_of_used(components: &[Option<Component>], dimension: usize) -> Vec<Option<String>> {
+    components.iter().map(|component| component.map(|component| component.name(dimension))).collect()
+}
+
+/// A pass's record whose used components are inputs.
+fn take_used<F: Significand, Q: Quantity<Symbol<F>>>(pen: &mut Pen<F>, prefix: &str, names: &[Option<String>]) -> Q {
+    let mut names = names.iter();
+    Q::take(&mut || match names.next() {
+        Some(Some(name)) => pen.input(&format!("{prefix}{name}")),
+        _ => Symbol::zero(),
+    })
+}
+
+/// A pass's record whose used components become outputs.
+fn give_used<F: Significand, Q: Quantity<Symbol<F>>>(pen: &mut Pen<F>, names: &[Option<String>], record: Q) {
+    let mut names = names.iter();
+    record.give(&mut |value| {
+        if let Some(Some(name)) = names.next() {
+            pen.output(name, value);
+        }
+    });
+}
+
 /// A record whose components are inputs.
 fn take<F: Significand, Q: Quantity<Symbol<F>>>(pen: &mut Pen<F>, prefix: &str, names: &[String]) -> Q {
     let mut names = names.iter();
@@ -80,25 +104,24 @@ impl Drawing {
     /// # Errors
     /// See [`draw`]; a record that has the same field twice is the likeliest reason.
     pub fn of_pass<const D: usize, P: Pass<D>, F: Significand>(pass: &P) -> Result<PassDrawing, TraceError> {
-        let own = names(&P::Own::<Symbol<F>>::fields(), D);
-        let other = names(&P::Other::<Symbol<F>>::fields(), D);
-        let out = names(&P::Out::<Symbol<F>>::fields(), D);
-        let sum = components(&P::Sums::<Symbol<F>>::fields(), D);
-        let sums: Vec<Sum> = sum.iter().map(|c| Sum { name: c.name(D), reduction: c.field.reduction }).collect();
-        let sum_names: Vec<String> = sums.iter().map(|sum| sum.name.clone()).collect();
+        let part = |part| used_components::<D, P>(pass, part);
+        let [own, other, sum, out] = [Part::Own, Part::Other, Part::Sums, Part::Out].map(part);
+        let sums = sum.iter().flatten().map(|c| Sum { name: c.name(D), reduction: c.field.reduction }).collect();
+        let [own, other, sum, out] = [own, other, sum, out].map(|components| names_of_used(&components, D));
 
         let pair = draw::<F>(|pen| {
-            let own = take(pen, "a_", &own);
-            let other = take(pen, "b_", &other);
+            let own = take_used(pen, "a_", &own);
+            let other = take_used(pen, "b_", &other);
             let x_ab = Vector::from_fn(|axis| pen.input(&format!("x_ab_{}", ["x", "y", "z"][axis])));
             let separation = Separation { x_ab, r_squared: pen.input("r_squared") };
-            give(pen, &sum_names, pass.pair(&own, &other, &separation));
+            give_used(pen, &sum, pass.pair(&own, &other, &separation));
         })?;
         let finish = draw::<F>(|pen| {
-            let own = take(pen, "a_", &own);
-            let sums = take(pen, "sum_", &sum_names);
-            give(pen, &out, pass.finish(&own, &sums));
+            let own = take_used(pen, "a_", &own);
+            let sums = take_used(pen, "sum_", &sum);
+            give_used(pen, &out, pass.finish(&own, &sums));
         })?;
+        let [own, other, out] = [own, other, out].map(|names| names.into_iter().flatten().collect());
         Ok(PassDrawing { name: P::NAME, dimension: D, own, other, sums, out, pair, finish })
     }
 

@@ -6,7 +6,8 @@ use crate::fields;
 use crate::particles::ParticleSet;
 use etalon_kernels_gen::bounded::{Bounded, Roundoff};
 use etalon_kernels_gen::{
-    Component, Field, Pass, Quantity, Real, Record, Reduction, Separation, Update, Vector, components,
+    Component, Field, Part, Pass, Quantity, Real, Record, Reduction, Separation, Update, Vector, components,
+    used_components,
 };
 use std::collections::HashMap;
 
@@ -96,26 +97,36 @@ impl<T: Scalar, const D: usize> PlainEngine<T, D> {
         &self.neighbours
     }
 
-    /// The columns behind a list of fields, in the order records take them.
-    fn columns(&self, fields: &[Field]) -> Result<Vec<&[T]>, EngineError> {
-        let column = |c: &Component| {
-            let found = self.columns.get(c).map(Vec::as_slice);
-            found.ok_or_else(|| EngineError(format!("{} is read before anything wrote it", c.name(D))))
-        };
-        components(fields, D).iter().map(column).collect()
+    /// The columns behind a pass's record, in its order; none for what the pass has no use for.
+    fn used_columns<P: Pass<D>>(&self, pass: &P, part: Part) -> Result<Vec<Option<&[T]>>, EngineError> {
+        let column = |used: Option<Component>| used.map(|component| self.column_of(component)).transpose();
+        used_components::<D, P>(pass, part).into_iter().map(column).collect()
     }
 
-    fn store(&mut self, fields: &[Field], values: Vec<Vec<T>>) {
-        for (component, column) in components(fields, D).into_iter().zip(values) {
-            self.columns.insert(component, column);
+    /// The columns behind a list of fields, in the order records take them.
+    fn columns(&self, fields: &[Field]) -> Result<Vec<Option<&[T]>>, EngineError> {
+        components(fields, D).into_iter().map(|component| self.column_of(component).map(Some)).collect()
+    }
+
+    fn column_of(&self, component: Component) -> Result<&[T], EngineError> {
+        let unknown = || EngineError(format!("{} is read before anything wrote it", component.name(D)));
+        self.column(component).ok_or_else(unknown)
+    }
+
+    /// Keeps what was written; what has no component goes nowhere.
+    fn store(&mut self, components: Vec<Option<Component>>, values: Vec<Vec<T>>) {
+        for (component, column) in components.into_iter().zip(values) {
+            if let Some(component) = component {
+                self.columns.insert(component, column);
+            }
         }
     }
 }
 
-/// A record's values at one particle.
-fn gather<T: Real, Q: Quantity<T>>(columns: &[&[T]], particle: usize) -> Q {
+/// A record's values at one particle, zero where there is no column.
+fn gather<T: Real, Q: Quantity<T>>(columns: &[Option<&[T]>], particle: usize) -> Q {
     let mut next = columns.iter();
-    Q::take(&mut || next.next().map_or_else(T::zero, |column| column[particle]))
+    Q::take(&mut || next.next().copied().flatten().map_or_else(T::zero, |column| column[particle]))
 }
 
 fn scatter<T: Real, Q: Quantity<T>>(columns: &mut [Vec<T>], record: Q) {
@@ -155,11 +166,11 @@ impl<T: Scalar, const D: usize> Engine<D> for PlainEngine<T, D> {
         if self.neighbours.particles() != self.count {
             return Err(EngineError(format!("pass {} was asked for before neighbours were found", P::NAME)));
         }
-        let own_columns = self.columns(&P::Own::<T>::fields())?;
-        let other_columns = self.columns(&P::Other::<T>::fields())?;
+        let own_columns = self.used_columns(pass, Part::Own)?;
+        let other_columns = self.used_columns(pass, Part::Other)?;
         let sum_fields = components(&P::Sums::<T>::fields(), D);
-        let out_fields = P::Out::<T>::fields();
-        let mut out = vec![Vec::with_capacity(self.count); components(&out_fields, D).len()];
+        let written = used_components::<D, P>(pass, Part::Out);
+        let mut out = vec![Vec::with_capacity(self.count); written.len()];
         // Once for each particle, not once for each pair.
         let others: Vec<P::Other<T>> = (0..self.count).map(|b| gather(&other_columns, b)).collect();
         for a in 0..self.count {
@@ -184,19 +195,19 @@ impl<T: Scalar, const D: usize> Engine<D> for PlainEngine<T, D> {
             let sums = P::Sums::<T>::take(&mut || next.next().copied().unwrap_or_else(T::zero));
             scatter(&mut out, pass.finish(&own, &sums));
         }
-        self.store(&out_fields, out);
+        self.store(written, out);
         Ok(())
     }
 
     fn run_update<U: Update<D>>(&mut self, update: &U, time_step: f64) -> Result<(), EngineError> {
         let own_columns = self.columns(&U::Own::<T>::fields())?;
-        let out_fields = U::Out::<T>::fields();
-        let mut out = vec![Vec::with_capacity(self.count); components(&out_fields, D).len()];
+        let written: Vec<_> = components(&U::Out::<T>::fields(), D).into_iter().map(Some).collect();
+        let mut out = vec![Vec::with_capacity(self.count); written.len()];
         for a in 0..self.count {
             let own: U::Own<T> = gather(&own_columns, a);
             scatter(&mut out, update.apply(&own, T::lit(time_step)));
         }
-        self.store(&out_fields, out);
+        self.store(written, out);
         Ok(())
     }
 

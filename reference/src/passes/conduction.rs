@@ -1,13 +1,12 @@
 //! Artificial conduction, after the forces: it adds to their heating and may shorten their step.
 
 use super::Physics;
+use super::gradient_vector::gradient_vector;
 use crate::equations::conduction::{conduction_rate, conduction_velocity, conduction_weight};
-use crate::equations::gradients::integral_gradient;
-use crate::equations::kernels::{inverse_volume, kernel_shape};
 use crate::equations::time_step::cooling_step;
 use crate::fields::*;
 use etalon_kernels_gen::functions::{ratio_or_zero, smaller};
-use etalon_kernels_gen::{Pass, Real, Scalar, Separation, Symmetric, Vector, record};
+use etalon_kernels_gen::{Field, Part, Pass, Real, Scalar, Separation, Symmetric, Vector, record};
 
 /// Heat flows from the hotter to the colder particle of a pair whose pressures differ (Price et al. 2018; GS25 section 3.6).
 ///
@@ -55,16 +54,15 @@ record! {
 }
 
 impl Conduction {
-    /// `A_ab(h) / (Omega rho)` with the smoothing length and the matrix of one of the two.
+    /// `A_ab(h) / (Omega rho)`, or the kernel's gradient for `A_ab`, with the smoothing length and the matrix of one of the two.
     #[inline(always)]
     fn weighted_gradient<R: Real, const D: usize>(
         &self,
         of: &ConductionPair<R, D>,
         at: &Separation<R, D>,
     ) -> Vector<R, D> {
-        let shape = kernel_shape::<R, D>(self.0.kernel, at.r_squared * (of.inverse_h * of.inverse_h));
-        let kernel = shape.value * inverse_volume::<R, D>(of.inverse_h);
-        integral_gradient(of.c, -at.x_ab, kernel).scale(conduction_weight(of.grad_h, of.density))
+        let gradient = gradient_vector(&self.0, of.c, of.inverse_h, -at.x_ab, at.r_squared);
+        gradient.scale(conduction_weight(of.grad_h, of.density))
     }
 }
 
@@ -74,6 +72,10 @@ impl<const D: usize> Pass<D> for Conduction {
     type Sums<R: Real> = ConductionSums<R, D>;
     type Out<R: Real> = ConductionOut<R, D>;
     const NAME: &'static str = "conduction";
+
+    fn uses(&self, _: Part, field: Field) -> bool {
+        self.0.knows(field)
+    }
 
     #[inline(always)]
     fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, at: &Separation<R, D>) -> Self::Sums<R> {

@@ -7,9 +7,13 @@ use crate::equations::reconstruction::{critical_separation, support_volume};
 use crate::equations::smoothing_length::effective_neighbours;
 use crate::equations::volume_elements::{density, volume_element};
 use crate::fields::*;
-use etalon_kernels_gen::{Pass, Real, Scalar, Separation, record};
+use crate::schemes::VolumeElement;
+use etalon_kernels_gen::{Field, Part, Pass, Real, Scalar, Separation, record};
 
 /// `k_a = sum X_b W_ab(h_a)` (C25 19), density (C25 21), pressure and sound speed; the derivatives with respect to `h_a` of both sums.
+///
+/// Standard volume elements are those of `X = m`: then `k` is the density `sum m_b W_ab(h_a)` and `X/k = m/rho`. This is the first sweep then, and
+/// makes `1/h` too.
 #[derive(Clone, Copy, Debug)]
 pub struct Density(pub Physics);
 
@@ -17,6 +21,7 @@ record! {
     /// Read of the particle.
     pub struct DensityOwn {
         mass: Scalar = MASS,
+        h: Scalar = SMOOTHING_LENGTH,
         inverse_h: Scalar = INVERSE_SMOOTHING_LENGTH,
         estimator: Scalar = VOLUME_ESTIMATOR,
         internal_energy: Scalar = INTERNAL_ENERGY,
@@ -40,6 +45,7 @@ record! {
 record! {
     /// Written.
     pub struct DensityOut {
+        inverse_h: Scalar = INVERSE_SMOOTHING_LENGTH,
         normalisation: Scalar = KERNEL_NORMALISATION,
         volume: Scalar = VOLUME,
         density: Scalar = DENSITY,
@@ -51,6 +57,17 @@ record! {
     }
 }
 
+impl Density {
+    /// `1/h`, which the sweep before has where there is one.
+    #[inline(always)]
+    fn inverse_h<R: Real, const D: usize>(&self, own: &DensityOwn<R, D>) -> R {
+        match self.0.volume_element {
+            VolumeElement::Standard => R::one() / own.h,
+            VolumeElement::Generalised => own.inverse_h,
+        }
+    }
+}
+
 impl<const D: usize> Pass<D> for Density {
     type Own<R: Real> = DensityOwn<R, D>;
     type Other<R: Real> = DensityOther<R, D>;
@@ -58,30 +75,54 @@ impl<const D: usize> Pass<D> for Density {
     type Out<R: Real> = DensityOut<R, D>;
     const NAME: &'static str = "density";
 
+    fn uses(&self, part: Part, field: Field) -> bool {
+        let first = self.0.volume_element == VolumeElement::Standard;
+        match (part, field) {
+            (Part::Own, SMOOTHING_LENGTH) | (Part::Out, INVERSE_SMOOTHING_LENGTH) => first,
+            (Part::Own, INVERSE_SMOOTHING_LENGTH) => !first,
+            (Part::Sums, KERNEL_NORMALISATION) => true,
+            _ => self.0.knows(field),
+        }
+    }
+
     #[inline(always)]
     fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, at: &Separation<R, D>) -> Self::Sums<R> {
-        let q_squared = at.r_squared * (own.inverse_h * own.inverse_h);
+        let inverse_h = self.inverse_h(own);
+        let q_squared = at.r_squared * (inverse_h * inverse_h);
         let shape = kernel_shape::<R, D>(self.0.kernel, q_squared);
         let derivative = smoothing_length_derivative::<R, D>(shape, q_squared);
+        let (estimator, estimator_derivative) = match self.0.volume_element {
+            VolumeElement::Standard => (other.mass, R::zero()),
+            VolumeElement::Generalised => (other.estimator, other.estimator * derivative),
+        };
         DensitySums {
-            normalisation: other.estimator * shape.value,
-            estimator_derivative: other.estimator * derivative,
+            normalisation: estimator * shape.value,
+            estimator_derivative,
             density_derivative: other.mass * derivative,
         }
     }
 
     #[inline(always)]
     fn finish<R: Real>(&self, own: &Self::Own<R>, sums: &Self::Sums<R>) -> Self::Out<R> {
-        let scale = inverse_volume::<R, D>(own.inverse_h);
-        let derivative_scale = scale * own.inverse_h;
-        let with_self = sums.normalisation + own.estimator * central_value::<R, D>(self.0.kernel);
+        let inverse_h = self.inverse_h(own);
+        let scale = inverse_volume::<R, D>(inverse_h);
+        let derivative_scale = scale * inverse_h;
+        let estimator = match self.0.volume_element {
+            VolumeElement::Standard => own.mass,
+            VolumeElement::Generalised => own.estimator,
+        };
+        let with_self = sums.normalisation + estimator * central_value::<R, D>(self.0.kernel);
         let normalisation = with_self * scale;
-        let volume = volume_element(own.estimator, normalisation);
-        let density = density(own.mass, volume);
+        let volume = volume_element(estimator, normalisation);
+        let density = match self.0.volume_element {
+            VolumeElement::Standard => normalisation,
+            VolumeElement::Generalised => density(own.mass, volume),
+        };
         let ball = R::lit(support_volume(D, self.0.kernel.support()));
-        let neighbours = effective_neighbours::<R, D>(own.inverse_h, volume, ball);
+        let neighbours = effective_neighbours::<R, D>(inverse_h, volume, ball);
         let gamma_minus_one = R::lit(self.0.gamma_minus_one);
         DensityOut {
+            inverse_h,
             normalisation,
             volume,
             density,

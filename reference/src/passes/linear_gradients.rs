@@ -5,7 +5,8 @@ use super::gradients::SMALLEST_SPREAD;
 use crate::equations::dust_reconstruction::{correction_term, gradient_sum_term, linear_gradient};
 use crate::equations::kernels::{inverse_volume, kernel_shape};
 use crate::fields::*;
-use etalon_kernels_gen::{Matrix, Pass, Real, Scalar, Separation, Symmetric, Vector, record};
+use crate::schemes::VolumeElement;
+use etalon_kernels_gen::{Field, Matrix, Part, Pass, Real, Scalar, Separation, Symmetric, Vector, record};
 
 /// `J R = sum` with the kernel's gradients, exact for linear flows; of `J` only the symmetric part is kept.
 ///
@@ -19,6 +20,7 @@ record! {
     pub struct LinearGradientsOwn {
         inverse_h: Scalar = INVERSE_SMOOTHING_LENGTH,
         standard_density: Scalar = STANDARD_DENSITY,
+        density: Scalar = DENSITY,
         velocity: Vector = VELOCITY,
     }
 }
@@ -48,6 +50,13 @@ impl<const D: usize> Pass<D> for LinearGradients {
     type Out<R: Real> = LinearGradientsOut<R, D>;
     const NAME: &'static str = "linear_gradients";
 
+    fn uses(&self, part: Part, field: Field) -> bool {
+        match (part, field) {
+            (Part::Own, DENSITY) => self.0.volume_element == VolumeElement::Standard,
+            _ => self.0.knows(field),
+        }
+    }
+
     #[inline(always)]
     fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, at: &Separation<R, D>) -> Self::Sums<R> {
         let shape = kernel_shape::<R, D>(self.0.kernel, at.r_squared * (own.inverse_h * own.inverse_h));
@@ -61,7 +70,11 @@ impl<const D: usize> Pass<D> for LinearGradients {
     #[inline(always)]
     fn finish<R: Real>(&self, own: &Self::Own<R>, sums: &Self::Sums<R>) -> Self::Out<R> {
         // grad W = h^-(nu+2) (w'/q) r. Over the density as well, R is about the unit matrix.
-        let scale = inverse_volume::<R, D>(own.inverse_h) * (own.inverse_h * own.inverse_h) / own.standard_density;
+        let standard_density = match self.0.volume_element {
+            VolumeElement::Standard => own.density,
+            VolumeElement::Generalised => own.standard_density,
+        };
+        let scale = inverse_volume::<R, D>(own.inverse_h) * (own.inverse_h * own.inverse_h) / standard_density;
         let spread = sums.correction.trace() * scale;
         let weight = R::pick(spread.gt(R::lit(SMALLEST_SPREAD)), scale, R::zero());
         let jacobian = linear_gradient(sums.sum.scale(weight), sums.correction.scale(weight));

@@ -1,6 +1,6 @@
 //! The sweeps over the particles, each defined once for every backend.
 //!
-//! A step runs [`VolumeElements`], [`Density`], then [`Gradients`] and [`Momentum`]; a scheme that reconstructs velocities takes
+//! A step runs [`VolumeElements`] where volume elements are generalised ones, [`Density`], then [`Gradients`] and [`Momentum`]; a scheme that reconstructs velocities takes
 //! [`VelocityGradients`] and [`ReconstructedMomentum`] instead, one with a time-dependent coefficient [`VelocityGradients`], [`Switch`] and
 //! [`SwitchedMomentum`]. [`Conduction`] follows where it is asked for. What each reads and writes is in its records.
 //!
@@ -11,6 +11,7 @@ mod conduction;
 mod density;
 mod drag_forces;
 mod external;
+mod gradient_vector;
 mod gradients;
 mod linear_gradients;
 mod momentum;
@@ -35,13 +36,19 @@ pub use switched_momentum::SwitchedMomentum;
 pub use updates::{Correct, KickDrift};
 pub use volume_elements::VolumeElements;
 
-use crate::schemes::{Dissipation, Drag, GradH, Kernel, Viscosity};
+use crate::fields;
+use crate::schemes::{self, Dissipation, Drag, GradH, Kernel, Viscosity, VolumeElement};
+use etalon_kernels_gen::Field;
 
 /// What a scene decides for all its passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Physics {
     /// The kernel of all sums.
     pub kernel: Kernel,
+    /// How derivatives are estimated.
+    pub gradients: schemes::Gradients,
+    /// Which volume a particle stands for.
+    pub volume_element: VolumeElement,
     /// The form of the grad-h factor.
     pub grad_h: GradH,
     /// The dissipation scheme and its coefficients.
@@ -65,6 +72,8 @@ impl Physics {
     /// of 5/3, no dust, nothing that acts from outside.
     pub const STANDARD: Self = Physics {
         kernel: Kernel::MixedSinc,
+        gradients: schemes::Gradients::Integral,
+        volume_element: VolumeElement::Generalised,
         grad_h: GradH::Corrected,
         viscosity: Viscosity::of(Dissipation::AvSlrB2),
         gamma_minus_one: 2.0 / 3.0,
@@ -74,6 +83,22 @@ impl Physics {
         driver: None,
         forced: false,
     };
+
+    /// Whether particles have a field of the sweeps at all, given how gradients and volumes are made. The sweeps' records name what the richest
+    /// choice needs; of each choice they use what is here.
+    pub fn knows(&self, field: Field) -> bool {
+        let generalised = self.volume_element == VolumeElement::Generalised;
+        match field {
+            fields::MOMENT_MATRIX | fields::GRADIENT_MATRIX => self.gradients == schemes::Gradients::Integral,
+            // Where volumes are standard ones the plain density is the density, and the kernel counts as normalised.
+            fields::STANDARD_DENSITY
+            | fields::VOLUME_ESTIMATOR
+            | fields::KERNEL_NORMALISATION
+            | fields::VOLUME_ESTIMATOR_DERIVATIVE => generalised,
+            fields::PARTITION_DERIVATIVE => generalised || self.grad_h == GradH::Corrected,
+            _ => true,
+        }
+    }
 
     /// Whether anything pulls in `dimension` dimensions.
     pub fn has_gravity(&self, dimension: usize) -> bool {

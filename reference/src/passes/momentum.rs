@@ -1,23 +1,22 @@
 //! The last sweep: acceleration, heating and the time step.
 
 use super::Physics;
+use super::gradient_vector::gradient_vector;
 use crate::equations::dissipation::{
     approach_velocity, limited_viscosity, linear_coefficient, pair_balsara, pair_viscosity, regularised_approach,
     signal_velocity,
 };
-use crate::equations::gradients::integral_gradient;
 use crate::equations::hydrodynamics::{
     crossed_weight, pressure_acceleration, pressure_work, viscous_acceleration, viscous_heating,
 };
-use crate::equations::kernels::{inverse_volume, kernel_shape};
 use crate::equations::reconstruction::{
     pair_separation, reconstructed_approach_velocity, reconstruction_share, short_range_factor, slope_limiter,
 };
 use crate::equations::time_step::{acceleration_step, cooling_step, courant_step};
 use crate::fields::*;
-use crate::schemes::{ApproachForm, Dissipation, Viscosity};
+use crate::schemes::{ApproachForm, Dissipation, Viscosity, VolumeElement};
 use etalon_kernels_gen::functions::{larger, ratio_or_zero, smaller};
-use etalon_kernels_gen::{Pass, Real, Scalar, Separation, Symmetric, Vector, record};
+use etalon_kernels_gen::{Field, Part, Pass, Real, Scalar, Separation, Symmetric, Vector, record};
 
 /// The equations of motion (C25 22, 23) with the viscosity of the true velocities (GS25 6).
 #[derive(Clone, Copy, Debug)]
@@ -170,13 +169,6 @@ impl Momentum {
         }
     }
 
-    /// `W_ab(h)`.
-    #[inline(always)]
-    fn kernel<R: Real, const D: usize>(&self, inverse_h: R, r_squared: R) -> R {
-        let shape = kernel_shape::<R, D>(self.0.kernel, r_squared * (inverse_h * inverse_h));
-        shape.value * inverse_volume::<R, D>(inverse_h)
-    }
-
     /// All that a neighbour does, given what its viscosity is made of.
     #[inline(always)]
     pub(super) fn forces<R: Real, const D: usize>(
@@ -189,11 +181,14 @@ impl Momentum {
     ) -> MomentumSums<R, D> {
         let x_ba = -at.x_ab;
         let v_ab = a.velocity - b.velocity;
-        let gradient_a = integral_gradient(a.c, x_ba, self.kernel::<R, D>(a.inverse_h, at.r_squared));
-        let gradient_b = integral_gradient(b.c, x_ba, self.kernel::<R, D>(b.inverse_h, at.r_squared));
+        let gradient_a = gradient_vector(&self.0, a.c, a.inverse_h, x_ba, at.r_squared);
+        let gradient_b = gradient_vector(&self.0, b.c, b.inverse_h, x_ba, at.r_squared);
         let mean_gradient = (gradient_a + gradient_b).scale(R::lit(0.5));
 
-        let crossed = crossed_weight(a.density, b.density, a.standard_density, b.standard_density);
+        let crossed = match self.0.volume_element {
+            VolumeElement::Standard => R::one(),
+            VolumeElement::Generalised => crossed_weight(a.density, b.density, a.standard_density, b.standard_density),
+        };
         let viscosity = self.viscosity(a, b, at, line, friction);
 
         let pressure = pressure_acceleration(
@@ -227,6 +222,10 @@ impl<const D: usize> Pass<D> for Momentum {
     type Out<R: Real> = MomentumOut<R, D>;
     const NAME: &'static str = "momentum";
 
+    fn uses(&self, _: Part, field: Field) -> bool {
+        self.0.knows(field)
+    }
+
     #[inline(always)]
     fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, at: &Separation<R, D>) -> Self::Sums<R> {
         let line = Line::of(own.pair.velocity, other.velocity, at);
@@ -258,6 +257,10 @@ impl<const D: usize> Pass<D> for ReconstructedMomentum {
     type Sums<R: Real> = MomentumSums<R, D>;
     type Out<R: Real> = MomentumOut<R, D>;
     const NAME: &'static str = "reconstructed_momentum";
+
+    fn uses(&self, _: Part, field: Field) -> bool {
+        self.0.knows(field)
+    }
 
     #[inline(always)]
     fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, at: &Separation<R, D>) -> Self::Sums<R> {

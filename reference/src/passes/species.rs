@@ -4,7 +4,7 @@
 //! and conduction. The pair bodies are the gas's own; pairs that do not count are masked.
 
 use crate::fields::SPECIES;
-use etalon_kernels_gen::{Field, Pass, Quantity, Real, Record, Separation};
+use etalon_kernels_gen::{Field, Part, Pass, Quantity, Real, Record, Separation};
 
 /// A sweep in which each particle sees the neighbours of its own species only.
 #[derive(Clone, Copy, Debug)]
@@ -94,6 +94,10 @@ macro_rules! masked {
             type Sums<R: Real> = P::Sums<R>;
             type Out<R: Real> = P::Out<R>;
             const NAME: &'static str = P::NAME;
+
+            fn uses(&self, part: Part, field: Field) -> bool {
+                self.0.uses(part, field)
+            }
 
             #[inline(always)]
             fn pair<R: Real>(

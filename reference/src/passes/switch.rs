@@ -1,16 +1,18 @@
 //! The time-dependent viscosity coefficient (GS25 9, 10): a sweep that raises it, and an update that lets it decay.
 
 use super::Physics;
+use super::gradient_vector::{gradient_scale, weight};
 use crate::equations::gradients::gradient_term;
-use crate::equations::kernels::{inverse_volume, kernel_shape};
+use crate::equations::kernels::kernel_shape;
 use crate::equations::switch::{convergence_indicator, decayed_coefficient, local_coefficient, raised_coefficient};
 use crate::fields::*;
-use etalon_kernels_gen::{Pass, Real, Scalar, Separation, Symmetric, Update, Vector, record};
+use crate::schemes::Gradients;
+use etalon_kernels_gen::{Field, Part, Pass, Real, Scalar, Separation, Symmetric, Update, Vector, record};
 
 /// The gradient of `div v` and from it the coefficient that the flow asks for (GS25 9); the particle's rises to it at once.
 ///
 /// The estimator is the paper's: one more sweep of differences, `c sum V_b (div v_b - div v_a) x_ba W_ab(h_a)` (C25 1, 3), exact
-/// for a divergence that is linear in the position. It cannot be had in the sweep before, which makes `div v` in the first place.
+/// for a divergence that is linear in the position; with kernel gradients, `sum V_b (div v_b - div v_a) grad_a W_ab`. It cannot be had in the sweep before, which makes `div v` in the first place.
 /// `div v` is the trace of the strain rate, so no field is carried for it.
 #[derive(Clone, Copy, Debug)]
 pub struct Switch(pub Physics);
@@ -69,20 +71,29 @@ impl<const D: usize> Pass<D> for Switch {
     type Out<R: Real> = SwitchOut<R, D>;
     const NAME: &'static str = "switch";
 
+    fn uses(&self, _: Part, field: Field) -> bool {
+        self.0.knows(field)
+    }
+
     #[inline(always)]
     fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, at: &Separation<R, D>) -> Self::Sums<R> {
         let shape = kernel_shape::<R, D>(self.0.kernel, at.r_squared * (own.inverse_h * own.inverse_h));
         let divergence_ba = other.strain_rate.trace() - own.strain_rate.trace();
         // The matrix of A_ab is the same for all neighbours; the epilogue applies it once.
-        SwitchSums { divergence_moment: gradient_term(other.volume, divergence_ba, (-at.x_ab).scale(shape.value)) }
+        let towards = (-at.x_ab).scale(weight(&self.0, shape));
+        SwitchSums { divergence_moment: gradient_term(other.volume, divergence_ba, towards) }
     }
 
     #[inline(always)]
     fn finish<R: Real>(&self, own: &Self::Own<R>, sums: &Self::Sums<R>) -> Self::Out<R> {
         let viscosity = &self.0.viscosity;
         let h = R::one() / own.inverse_h;
-        let moment = sums.divergence_moment.scale(inverse_volume::<R, D>(own.inverse_h));
-        let indicator = convergence_indicator(own.c.apply(moment), h);
+        let moment = sums.divergence_moment.scale(gradient_scale::<R, D>(&self.0, own.inverse_h));
+        let gradient = match self.0.gradients {
+            Gradients::Integral => own.c.apply(moment),
+            Gradients::Kernel => moment,
+        };
+        let indicator = convergence_indicator(gradient, h);
         let local = local_coefficient(viscosity, indicator, own.strain_rate.trace(), own.sound_speed, h);
         SwitchOut { local, alpha: raised_coefficient(own.remaining, local) }
     }

@@ -6,7 +6,7 @@ use super::momentum::{
 };
 use crate::equations::switch::{decay_rate, pair_coefficient};
 use crate::fields::*;
-use etalon_kernels_gen::{Pass, Real, Scalar, Separation, Symmetric, record};
+use etalon_kernels_gen::{Field, Part, Pass, Real, Scalar, Separation, Symmetric, record};
 
 /// [`Momentum`] with the mean of the two particles' coefficients, and reconstructed velocities (GS25 11-17) where the scheme has them.
 ///
@@ -57,6 +57,10 @@ impl<const D: usize> Pass<D> for SwitchedMomentum {
     type Sums<R: Real> = MomentumSums<R, D>;
     type Out<R: Real> = SwitchedMomentumOut<R, D>;
     const NAME: &'static str = "switched_momentum";
+
+    fn uses(&self, _: Part, field: Field) -> bool {
+        self.0.knows(field)
+    }
 
     #[inline(always)]
     fn pair<R: Real>(&self, own: &Self::Own<R>, other: &Self::Other<R>, at: &Separation<R, D>) -> Self::Sums<R> {

@@ -3,7 +3,7 @@
 use super::{Arrangement, SceneError};
 use crate::equations::reconstruction::smoothing_length_holding;
 use crate::passes::Physics;
-use crate::schemes::{Dissipation, GradH, Kernel, Viscosity};
+use crate::schemes::{Dissipation, GradH, Gradients, Kernel, Rung, Viscosity, VolumeElement};
 
 /// The choices that every scene has.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +18,10 @@ pub struct Method {
     pub neighbours: f64,
     /// The dissipation scheme and its coefficients, conduction included.
     pub viscosity: Viscosity,
+    /// How derivatives are estimated.
+    pub gradients: Gradients,
+    /// Which volume a particle stands for.
+    pub volume_element: VolumeElement,
     /// The grad-h form.
     pub grad_h: GradH,
 }
@@ -31,7 +35,20 @@ impl Method {
             kernel: Kernel::MixedSinc,
             neighbours: Self::usual_neighbours(dimension, Kernel::MixedSinc),
             viscosity: Viscosity::of(Dissipation::AvSlrB2),
+            gradients: Physics::STANDARD.gradients,
+            volume_element: Physics::STANDARD.volume_element,
             grad_h: GradH::Corrected,
+        }
+    }
+
+    /// The same on a rung of C25's ladder: gradients, volume elements and dissipation scheme are the rung's; the scheme's coefficients are GS25's,
+    /// conduction and all else stay.
+    pub fn on(self, rung: Rung) -> Self {
+        Method {
+            gradients: rung.gradients(),
+            volume_element: rung.volume_element(),
+            viscosity: Viscosity { conduction: self.viscosity.conduction, ..Viscosity::of(rung.dissipation()) },
+            ..self
         }
     }
 
@@ -46,6 +63,8 @@ impl Method {
     pub fn physics(&self, gamma: f64) -> Physics {
         Physics {
             kernel: self.kernel,
+            gradients: self.gradients,
+            volume_element: self.volume_element,
             grad_h: self.grad_h,
             viscosity: self.viscosity,
             gamma_minus_one: gamma - 1.0,
@@ -138,6 +157,31 @@ mod tests {
             // A power and a root, a few roundings each.
             assert!((wide / usual - 1.0).abs() < 1e-14, "{dimension}-D: {usual} and {wide}");
         }
+    }
+
+    #[test]
+    fn each_rung_has_one_ingredient_more() {
+        let usual = Method::standard(3, 100);
+        let rungs: Vec<_> = Rung::ALL.iter().map(|&rung| usual.on(rung)).collect();
+        let ingredients = |m: &Method| {
+            let viscosity = m.viscosity.dissipation;
+            let has = [
+                m.gradients == Gradients::Integral,
+                m.volume_element == VolumeElement::Generalised,
+                viscosity.switches(),
+                viscosity.reconstructs(),
+            ];
+            has.map(usize::from)
+        };
+        for (place, rung) in rungs.iter().enumerate() {
+            assert_eq!(ingredients(rung), std::array::from_fn(|i| usize::from(i < place)), "{rung:?}");
+            assert_eq!(
+                Method { grad_h: GradH::Exact, ..*rung },
+                Method { grad_h: GradH::Exact, ..usual }.on(Rung::ALL[place])
+            );
+        }
+        let names: Vec<_> = Rung::ALL.iter().map(|rung| rung.name()).collect();
+        assert_eq!(names, ["STD", "IA", "GVE", "VAV", "SLR"]);
     }
 
     #[test]

@@ -20,7 +20,8 @@ use etalon_reference::particles::{Particle, ParticleSet};
 use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
 use etalon_reference::schemes::{
-    CommonPoint, Dissipation, Drag, DragReconstruction, GradH, Kernel, SlopeLimiter, Viscosity,
+    CommonPoint, Dissipation, Drag, DragReconstruction, GradH, Gradients, Kernel, SlopeLimiter, Viscosity,
+    VolumeElement,
 };
 
 /// A scene's physics with the mixed sinc kernel.
@@ -40,6 +41,20 @@ fn physics(dissipation: Dissipation, grad_h: GradH) -> Physics {
 fn all_physics() -> impl Iterator<Item = Physics> {
     let forms = [GradH::Exact, GradH::Corrected];
     Dissipation::ALL.iter().flat_map(move |&dissipation| forms.map(|form| physics(dissipation, form)))
+}
+
+/// A last sweep of each kind, and conduction's heat among them, with every way to take gradients and every volume element but the usual two.
+fn all_formulations() -> impl Iterator<Item = Physics> {
+    let schemes = [Dissipation::Av, Dissipation::AvSwSlr, Dissipation::AvSlrB2];
+    let pairs = Gradients::ALL.iter().flat_map(|&g| VolumeElement::ALL.iter().map(move |&v| (g, v)));
+    pairs.filter(|pair| *pair != (Gradients::Integral, VolumeElement::Generalised)).flat_map(
+        move |(gradients, volume_element)| {
+            schemes
+                .into_iter()
+                .zip([GradH::Exact, GradH::Corrected, GradH::Corrected])
+                .map(move |(scheme, form)| Physics { gradients, volume_element, ..physics(scheme, form) })
+        },
+    )
 }
 
 /// Drag without reconstruction, with the recommended one, and with the one that asks most questions.

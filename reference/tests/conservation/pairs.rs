@@ -4,7 +4,7 @@ use crate::check::{UNIT, assert_close};
 use crate::cloud::Recipe;
 use crate::records::records;
 use crate::{all_physics, run};
-use etalon_kernels_gen::{Pass, Separation, Vector};
+use etalon_kernels_gen::{Part, Pass, Separation, Vector};
 use etalon_reference::domain::separation;
 use etalon_reference::engine::{Engine, PlainEngine};
 use etalon_reference::fields;
@@ -85,6 +85,7 @@ pub struct Pairs<P: LastSweep<D>, const D: usize> {
     own: Vec<P::Own<f64>>,
     other: Vec<P::Other<f64>>,
     coordinates: [Vec<u64>; D],
+    length: [f64; D],
     /// The engine that ran the sweeps.
     pub engine: PlainEngine<f64, D>,
 }
@@ -94,12 +95,16 @@ impl<P: LastSweep<D>, const D: usize> Pairs<P, D> {
     pub fn of(set: &ParticleSet<D>, physics: Physics) -> Self {
         let mut engine = run(set, physics);
         let coordinates = std::array::from_fn(|axis| set.coordinates(axis));
-        Pairs { physics, own: records(&mut engine), other: records(&mut engine), coordinates, engine }
+        let pass = P::of(physics);
+        let own = records(&mut engine, &pass, Part::Own);
+        let other = records(&mut engine, &pass, Part::Other);
+        Pairs { physics, own, other, coordinates, length: set.domain().torus_length(), engine }
     }
 
-    /// What lies between two particles of a unit box.
+    /// What lies between two particles.
     pub fn between(&self, a: usize, b: usize) -> Separation<f64, D> {
-        let x_ab = Vector::from_fn(|axis| separation(self.coordinates[axis][a], self.coordinates[axis][b], 1.0));
+        let x_ab =
+            Vector::from_fn(|axis| separation(self.coordinates[axis][a], self.coordinates[axis][b], self.length[axis]));
         Separation { x_ab, r_squared: x_ab.norm_squared() }
     }
 

@@ -48,7 +48,7 @@ impl Factors {
         };
         let mut engine = PlainEngine::<f64, 3>::new(&set);
         engine.find_neighbours(2.0).unwrap();
-        Pipeline::leading_to::<3>(PassKind::Gradients).run(&mut engine, physics).unwrap();
+        Pipeline::leading_to::<3>(PassKind::Gradients, &physics).run(&mut engine, physics).unwrap();
         let columns = engine.read_all(fields::GRADIENT_MATRIX).unwrap();
         let [omega, pressure, density] =
             [fields::GRAD_H, fields::PRESSURE, fields::DENSITY].map(|field| engine.read_scalar(field).unwrap());

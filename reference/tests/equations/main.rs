@@ -18,6 +18,7 @@ mod dust_drawn;
 mod dust_reconstruction;
 mod exact_dust;
 mod float;
+mod formulation;
 mod gas_and_steps;
 mod grad_h;
 mod grad_h_noise;

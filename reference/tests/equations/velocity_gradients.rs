@@ -34,7 +34,7 @@ fn flow_is_recovered<const D: usize>(jacobian: [[f64; D]; D]) {
     let set = ParticleSet::new(*cloud.domain(), cloud.particles().iter().map(linear).collect()).unwrap();
     let mut engine = PlainEngine::<f64, D>::new(&set);
     engine.find_neighbours(2.0).unwrap();
-    Pipeline::leading_to::<D>(PassKind::VelocityGradients).run(&mut engine, PHYSICS).unwrap();
+    Pipeline::leading_to::<D>(PassKind::VelocityGradients, &PHYSICS).run(&mut engine, PHYSICS).unwrap();
 
     let divergence: f64 = (0..D).map(|i| jacobian[i][i]).sum();
     let rotation = |i: usize, j: usize| (jacobian[i][j] - jacobian[j][i]).powi(2);
@@ -90,7 +90,7 @@ fn gradient_matrix_inverts_the_moments<const D: usize>() {
     let set = Recipe::unequal::<D>(79).particles::<D>(true);
     let mut engine = PlainEngine::<f64, D>::new(&set);
     engine.find_neighbours(2.0).unwrap();
-    Pipeline::leading_to::<D>(PassKind::Gradients).run(&mut engine, PHYSICS).unwrap();
+    Pipeline::leading_to::<D>(PassKind::Gradients, &PHYSICS).run(&mut engine, PHYSICS).unwrap();
     let volume = engine.read_scalar(fields::VOLUME).unwrap();
     let columns = engine.read_all(fields::GRADIENT_MATRIX).unwrap();
     let coordinates: [Vec<u64>; D] = std::array::from_fn(|axis| set.coordinates(axis));
@@ -149,7 +149,7 @@ fn sweeps_with_and_without_velocities_agree() {
     let read = |last| {
         let mut engine = PlainEngine::<f64, 2>::new(&set);
         engine.find_neighbours(2.0).unwrap();
-        Pipeline::leading_to::<2>(last).run(&mut engine, PHYSICS).unwrap();
+        Pipeline::leading_to::<2>(last, &PHYSICS).run(&mut engine, PHYSICS).unwrap();
         let scalar = |field| Component { field, index: 0 };
         let mut all = engine.read_all(fields::GRADIENT_MATRIX).unwrap();
         all.push(engine.read(scalar(fields::GRAD_H)).unwrap());

@@ -38,7 +38,7 @@ impl<const D: usize> PassVisitor<D> for Draw {
         let single = Drawing::of_pass::<D, P, Single>(pass)?.simplified();
         let double = Drawing::of_pass::<D, P, Double>(pass)?.simplified();
         Ok(Stage {
-            footprint: Footprint::of_pass::<D, P>(),
+            footprint: Footprint::of_pass::<D, P>(pass),
             pair: Some([single.count_pair(), double.count_pair()]),
             particle: [single.count_finish(), double.count_finish()],
         })

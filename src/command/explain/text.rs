@@ -35,14 +35,15 @@ fn header(out: &mut String, explanation: &Explanation) {
     line(
         out,
         &format!(
-            "{}, {}-D: scheme {} ({}), kernel {}, {} neighbours, grad-h {}",
+            "{}, {}-D: scheme {} ({}), kernel {}, {} neighbours, grad-h {}{}",
             setup.problem.name().title(),
             setup.dimension,
             method.viscosity.dissipation,
             setup.coefficients(),
             method.kernel,
             method.neighbours,
-            method.grad_h
+            method.grad_h,
+            setup.formulation().map_or(String::new(), |words| format!(", {words}"))
         ),
     );
     line(out, &format!("Units are those of mass M, length L and time T; nu = {}.", setup.dimension));

@@ -91,7 +91,11 @@ fn choices(variant: Variant) -> Option<SceneArguments> {
             let alpha = ("method.alpha".to_string(), toml::Value::Float(viscosity.alpha));
             Some(SceneArguments { scheme: Some(scheme), set: vec![alpha], ..SceneArguments::default() })
         }
-        Variant::GradH(_) | Variant::Rung(_) | Variant::Drag(_) => None,
+        Variant::Rung(_) => {
+            let rung = ("method.rung".to_string(), toml::Value::String(variant.as_str().into()));
+            Some(SceneArguments { set: vec![rung], ..SceneArguments::default() })
+        }
+        Variant::GradH(_) | Variant::Drag(_) => None,
     }
 }
 

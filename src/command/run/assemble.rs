@@ -95,6 +95,7 @@ fn scene(of: &Circumstances) -> Scene {
         setting("Grad-h factor", method.grad_h.to_string()),
         setting("Time integration", format!("kick, drift, kick; Courant number {} on h/c", plain(0.5 * COURANT))),
     ]);
+    settings.extend(of.setup.formulation().map(|words| setting("Formulation", words)));
     if let Some(bytes) = machine::peak_memory() {
         let mut text = format!("{:.0} MiB", bytes as f64 / f64::from(1 << 20));
         // In a smaller run the program itself and the drivers outweigh the particles.

@@ -29,7 +29,12 @@ pub fn segment<T: Number, P: Pass<D>, const D: usize>(sweep: SegmentSweep<'_, T,
             let reduction = reductions.next().copied().unwrap_or(etalon_kernels_gen::Reduction::Sum);
             reduce_pairwise(&mut values[..T::LANES], reduction)
         });
-        store(inputs.pass.finish(&own, &reduced), &inputs.layout.out, block, k);
+        let mut slots = inputs.layout.out.iter();
+        inputs.pass.finish(&own, &reduced).for_each(|value| {
+            if let Some(Some(slot)) = slots.next() {
+                block[slot * BLOCK + k] = T::from_lane(value);
+            }
+        });
     }
 }
 

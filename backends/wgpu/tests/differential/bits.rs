@@ -27,7 +27,7 @@ impl<const D: usize> PassVisitor<D> for Compare<'_, D> {
     type Output = Result<(), EngineError>;
 
     fn visit<P: Pass<D>>(&mut self, pass: &P) -> Self::Output {
-        let footprint = Footprint::of_pass::<D, P>();
+        let footprint = Footprint::of_pass::<D, P>(pass);
         for component in components(&[footprint.own, footprint.other].concat(), D) {
             let values = self.exact.read(component)?;
             self.plain.write(component, &values)?;

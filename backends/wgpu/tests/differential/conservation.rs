@@ -26,7 +26,7 @@ impl<const D: usize> PassVisitor<D> for Last<'_, D> {
     type Output = Result<(), EngineError>;
 
     fn visit<P: Pass<D>>(&mut self, pass: &P) -> Self::Output {
-        let footprint = Footprint::of_pass::<D, P>();
+        let footprint = Footprint::of_pass::<D, P>(pass);
         for component in components(&[footprint.own, footprint.other].concat(), D) {
             let rounded: Vec<f64> = self.exact.read(component)?.iter().map(|&x| f64::from(x as f32)).collect();
             self.bounded.write(component, &rounded)?;
