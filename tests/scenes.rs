@@ -128,6 +128,14 @@ fn all_engines_follow_the_reference_around_the_vortex() {
     follows_the_reference("gresho-chan", &["--dim", "2", "--n", "600", "--end-time", "0.1"], &SCHEMES);
 }
 
+/// The paper's problem on four times its scale of length and time, with the six variants of GS25 Table 8.
+#[test]
+fn all_engines_follow_the_reference_around_the_membrane() {
+    let large = ["--set", "radius=0.14", "--set", "period=0.2", "--set", "compared_with=linear", "--n", "600"];
+    let schemes = ["AV", "AVSW", "AVSLRB2", "AVSWSLR", "AVSLRB*2", "AVSLRB*2F"];
+    follows_the_reference("membrane", &[&large[..], &["--end-time", "0.1"]].concat(), &schemes);
+}
+
 /// A scene that has no walls, no gravity, no switches and a dimension less carries nothing of them.
 #[test]
 fn a_scene_carries_only_what_it_needs() {
