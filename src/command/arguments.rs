@@ -272,7 +272,7 @@ pub struct ReproduceArguments {
     /// The papers' dimensions and particle numbers (hours to days); the same command goes on after an interruption
     #[arg(long, conflicts_with_all = ["dim", "size"])]
     pub paper_resolution: bool,
-    /// Dimensions: 1, 2 or 3 [default: the least the scene has a plane flow in]
+    /// Dimensions: 1, 2 or 3 [default: as few as the flow has: 1 for tubes, 2 for what is plane]
     #[arg(long, value_name = "D", value_parser = dimension, allow_negative_numbers = true)]
     pub dim: Option<usize>,
     /// Particle numbers in units of each scene's usual one

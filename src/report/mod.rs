@@ -46,4 +46,4 @@ pub use plot::{Series, SeriesLine, SeriesTarget, series};
 pub use table::{columns, summary_table};
 pub use verdict::{headline, passes};
 pub use vtu::write_vtu;
-pub use write::{check_destination, write};
+pub use write::{Attachment, Beside, check_destination, write};

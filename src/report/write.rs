@@ -12,20 +12,34 @@ use super::{Particles, Report, ReportError, write_csv, write_vtu};
 /// The file by which a folder is recognised.
 const JSON: &str = "report.json";
 
-/// Writes `report.json`, `report.html`, the plots, the `pictures` that a report cannot draw by itself, and, if given, `particles.csv` and
-/// `particles.vtu` into `folder`.
+/// What is laid beside a report.
+#[derive(Default)]
+pub struct Beside<'a> {
+    /// Plots that a report cannot draw by itself.
+    pub pictures: Vec<Plot>,
+    /// The final particles, for `particles.csv` and `particles.vtu`.
+    pub particles: Option<&'a Particles<'a>>,
+    /// Further files.
+    pub attachments: Vec<Attachment<'a>>,
+}
+
+/// A file that is laid beside a report.
+pub struct Attachment<'a> {
+    /// Its name.
+    pub file: String,
+    /// Writes it; the problem in words if it cannot.
+    pub save: Box<dyn Fn(&Path) -> Result<(), String> + 'a>,
+}
+
+/// Writes `report.json`, `report.html`, the plots and what is to lie beside them into `folder`.
 ///
 /// Everything is written into a new folder beside it, which then takes its place; a report that was there before is
 /// replaced, and after a failure it is still there.
 ///
 /// # Errors
 /// What [`check_destination`] and [`super::check()`] return; [`ReportError::Io`] if the disk is full or the like.
-pub fn write(
-    report: &Report,
-    pictures: Vec<Plot>,
-    particles: Option<&Particles>,
-    folder: &Path,
-) -> Result<(), ReportError> {
+pub fn write(report: &Report, beside: Beside, folder: &Path) -> Result<(), ReportError> {
+    let Beside { pictures, particles, attachments } = beside;
     check_destination(folder)?;
     super::check(report)?;
     let mut plots = plots(report)?;
@@ -35,6 +49,7 @@ pub fn write(
     if particles.is_some() {
         files.extend(["particles.csv", "particles.vtu"]);
     }
+    files.extend(attachments.iter().map(|attachment| attachment.file.as_str()));
     let (json, html) = (to_json(report, &files)?, page(report, &plots, &files));
 
     let fresh = Temporary::beside(folder, "partial")?;
@@ -54,6 +69,10 @@ pub fn write(
     if let Some(particles) = particles {
         save("particles.csv", &|out| write_csv(particles, out))?;
         save("particles.vtu", &|out| write_vtu(particles, out))?;
+    }
+    for attachment in &attachments {
+        let path = fresh.0.join(&attachment.file);
+        (attachment.save)(&path).map_err(|problem| ReportError::io("write", &path)(io::Error::other(problem)))?;
     }
     save(JSON, &|out| out.write_all(json.as_bytes()))?;
     put_in_place(&fresh.0, folder)
@@ -176,12 +195,12 @@ mod tests {
         let report = synthetic::report();
         let x = [0.1, 0.2];
         let particles = Particles::new(vec![Column { name: "x", unit: "L", values: &x }]).unwrap();
-        write(&report, Vec::new(), Some(&particles), &folder).unwrap();
+        write(&report, Beside { particles: Some(&particles), ..Beside::default() }, &folder).unwrap();
         let names = listing(&folder);
         assert_eq!(names.len(), 12, "{names:?}");
         assert_eq!(from_json(&fs::read_to_string(folder.join(JSON)).unwrap()).unwrap(), report);
         // Again, without particles: the old ones do not stay behind, and no temporary folder does.
-        write(&report, Vec::new(), None, &folder).unwrap();
+        write(&report, Beside::default(), &folder).unwrap();
         assert!(!folder.join("particles.csv").exists());
         assert_eq!(listing(&home.0.join("deep")), ["out"]);
     }
@@ -189,14 +208,14 @@ mod tests {
     #[test]
     fn an_empty_folder_is_free() {
         let home = place("empty");
-        write(&synthetic::report(), Vec::new(), None, &home.0).unwrap();
+        write(&synthetic::report(), Beside::default(), &home.0).unwrap();
         assert!(home.0.join("report.html").exists());
     }
 
     #[test]
     fn foreign_folders_are_left_alone() {
         let home = place("foreign");
-        let message = |folder: &Path| write(&synthetic::report(), Vec::new(), None, folder).unwrap_err().to_string();
+        let message = |folder: &Path| write(&synthetic::report(), Beside::default(), folder).unwrap_err().to_string();
 
         let thesis = home.0.join("thesis");
         fs::create_dir(&thesis).unwrap();
@@ -210,7 +229,7 @@ mod tests {
         assert!(message(&other_program).contains("holds no report.json of this program"));
 
         let ours = home.0.join("ours");
-        write(&synthetic::report(), Vec::new(), None, &ours).unwrap();
+        write(&synthetic::report(), Beside::default(), &ours).unwrap();
         fs::write(ours.join("notes.txt"), "mine").unwrap();
         assert!(message(&ours).contains("notes.txt"), "{}", message(&ours));
         assert_eq!(fs::read_to_string(ours.join("notes.txt")).unwrap(), "mine");
@@ -227,11 +246,11 @@ mod tests {
         let home = place("failure");
         let folder = home.0.join("out");
         let good = synthetic::report();
-        write(&good, Vec::new(), None, &folder).unwrap();
+        write(&good, Beside::default(), &folder).unwrap();
         let mut bad = synthetic::report();
         let Outcome::Ran(measured) = &mut bad.runs[1].outcome else { panic!("the synthetic SIMD run ran") };
         measured.arithmetic_difference[3].rms = f64::NAN;
-        let error = write(&bad, Vec::new(), None, &folder).unwrap_err().to_string();
+        let error = write(&bad, Beside::default(), &folder).unwrap_err().to_string();
         assert!(error.contains("arithmetic_difference[internal_energy].rms"), "{error}");
         assert_eq!(from_json(&fs::read_to_string(folder.join(JSON)).unwrap()).unwrap(), good);
         assert_eq!(listing(&home.0), ["out"]);

@@ -42,7 +42,7 @@ impl<'a> Comparison<'a> {
                 .map(|run| Pair {
                     variant: run.variant,
                     published: theirs(run.variant).and_then(|p| p.value),
-                    ours: store.find(&run.job.id()).and_then(|record| reading.of(record)),
+                    ours: store.find(&run.job.id()).and_then(|record| reading.of(record, run.job.setup.dimension)),
                     run,
                 })
                 .collect();

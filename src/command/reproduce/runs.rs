@@ -53,19 +53,19 @@ pub fn wanted(arguments: &ReproduceArguments, all: &[Published]) -> Result<Vec<R
 fn job(arguments: &ReproduceArguments, reading: &Reading, variant: Variant) -> Result<Option<Job>, Failure> {
     let Some(choices) = choices(variant) else { return Ok(None) };
     let name = reading.scene;
-    let usual = name.dimensions()[0];
-    // The papers run in three dimensions; a plane flow costs a tenth in two.
-    let plane = name.dimensions().iter().copied().find(|d| *d < 3).filter(|_| !name.dimensions().contains(&1));
-    let one = name.dimensions().contains(&1).then_some(1);
-    let small = arguments.dim.or(plane).or(one).unwrap_or(usual);
-    let dimension =
-        if arguments.paper_resolution { name.dimensions().iter().copied().max().unwrap_or(usual) } else { small };
+    let most = name.dimensions().iter().copied().max();
+    let dimension = match arguments.paper_resolution {
+        true => most.unwrap_or(reading.dimension),
+        false => arguments.dim.unwrap_or(reading.dimension),
+    };
     let standard = name.standard(dimension)?;
     let particles = match arguments.paper_resolution {
         true => of_paper(reading)?.unwrap_or(standard.method().particles),
         false => ((standard.method().particles as f64 * arguments.size) as usize).max(1),
     };
-    let base = SceneArguments { scene: name.to_string(), dim: Some(dimension), n: Some(particles), ..choices };
+    let mut base = SceneArguments { scene: name.to_string(), dim: Some(dimension), n: Some(particles), ..choices };
+    let word = |(key, value): &(&str, &str)| (key.to_string(), toml::Value::String(value.to_string()));
+    base.set.extend(reading.set.iter().map(word));
     let precision = match (arguments.backend, arguments.precision) {
         (Backend::Wgpu, Precision::Double) => {
             return Err(Failure::BadInput(

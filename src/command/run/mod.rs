@@ -9,10 +9,11 @@
 //! | `compare.rs`, `approximation.rs` | the three sources of error |
 //! | `sensitivity.rs`, `noisy.rs` | where tolerances come from |
 //! | `wrapped.rs` | an engine with clocks or noise around it |
-//! | `assemble.rs`, `picture.rs` | the report; a picture of the plane |
+//! | `assemble.rs`, `picture.rs`, `attached.rs` | the report; a picture of the plane; files for other programs |
 
 mod approximation;
 mod assemble;
+mod attached;
 pub mod compare;
 mod curve;
 pub mod graphics;
@@ -35,7 +36,7 @@ use super::setup::{self, Setup};
 use super::{Done, machine};
 use crate::fma_peak::{self, FmaPeak};
 use crate::report::model::{Measurements, Run, Speed};
-use crate::report::{self, Report};
+use crate::report::{self, Beside, Report};
 use assemble::{Circumstances, particle_columns};
 use compare::Yardstick;
 use etalon_reference::domain::Domain;
@@ -282,7 +283,12 @@ impl Session<'_> {
     ) -> Result<Done, Failure> {
         let picture = particles.map(|state| picture::picture(state, domain)).transpose()?.flatten();
         let columns = particles.map(particle_columns).transpose()?;
-        report::write(report, picture.into_iter().collect(), columns.as_ref(), self.folder)?;
+        let beside = Beside {
+            pictures: picture.into_iter().collect(),
+            particles: columns.as_ref(),
+            attachments: attached::attachments(report, particles, domain),
+        };
+        report::write(report, beside, self.folder)?;
         let passed = report::passes(report);
         if self.arguments.json {
             let path = self.folder.join("report.json");
