@@ -1,5 +1,6 @@
 //! What the scenes with gas and dust have in common.
 
+use super::method::NEIGHBOURS;
 use crate::domain::Domain;
 use crate::equations::reconstruction::{smoothing_length_holding, support_volume};
 use crate::exact::dust::DustError;
@@ -54,7 +55,7 @@ pub(super) fn usual_neighbours(dimension: usize) -> f64 {
 
 /// Refuses a neighbour number that no kernel can use: so few that gradients fail, or more than pays.
 pub(super) fn check_neighbours(given: f64, dimension: usize) -> Result<(), DustySceneError> {
-    let (least, most) = [(4.0, 40.0), (10.0, 150.0), (30.0, 600.0)][dimension - 1];
+    let (least, most) = NEIGHBOURS[dimension - 1];
     if (least..=most).contains(&given) {
         Ok(())
     } else {

@@ -109,7 +109,7 @@ impl Method {
 
     /// Refuses a neighbour number that no kernel can use, and coefficients that are none.
     pub fn check(&self, dimension: usize) -> Result<(), SceneError> {
-        let (least, most) = [(4.0, 40.0), (10.0, 150.0), (30.0, 600.0)][dimension - 1];
+        let (least, most) = NEIGHBOURS[dimension - 1];
         if !(least..=most).contains(&self.neighbours) {
             return Err(SceneError::Neighbours { given: self.neighbours, dimension, least, most });
         }
@@ -137,6 +137,8 @@ impl Method {
 
 /// The least depth of a fixed layer, in smoothing lengths.
 const WALL: f64 = 4.0;
+/// Neighbour numbers that kernels can use, by dimension: with fewer gradients fail, more do not pay.
+pub(super) const NEIGHBOURS: [(f64, f64); 3] = [(4.0, 40.0), (10.0, 150.0), (30.0, 600.0)];
 /// Coefficients of order one are meant; ten times as much is no flow to compare anything in.
 const MOST_COEFFICIENT: f64 = 10.0;
 /// What is divided by must not be zero; a thousandth of what scenes take is none any more.
