@@ -213,7 +213,19 @@ fn a_scene_of_a_file_runs() {
     }
     assert!(place.path("etalon-out/mine-1d/report.html").exists());
     // The command line goes over the file.
-    let output = place.etalon(&["explain", "mine.toml", "--dim", "2", "--n", "6000", "--scheme", "AV", "--json"]);
+    let output = place.etalon(&[
+        "explain",
+        "mine.toml",
+        "--dim",
+        "2",
+        "--n",
+        "6000",
+        "--neighbours",
+        "26",
+        "--scheme",
+        "AV",
+        "--json",
+    ]);
     let explained = json(stdout(&output));
     assert_eq!((explained["dimension"].clone(), explained["scheme"].clone()), (2.into(), "AV".into()));
 }

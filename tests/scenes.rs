@@ -32,6 +32,15 @@ fn smallest(name: Name) -> (etalon_reference::scenes::Problem, usize) {
         Err(SceneError::TooFew { enough, .. }) => enough.max(floor),
         _ => floor,
     };
+    let stands = match dimension {
+        1 => problem.scene::<1>().check(),
+        2 => problem.scene::<2>().check(),
+        _ => problem.scene::<3>().check(),
+    };
+    // What else depends on how many there are stands at the usual number.
+    if stands.is_err() {
+        problem = name.standard(dimension).unwrap();
+    }
     (problem, dimension)
 }
 

@@ -81,7 +81,7 @@ fn jobs(arguments: &ParetoArguments) -> Result<Vec<Job>, Failure> {
         given => given.to_vec(),
     };
     let mut jobs: Vec<Job> = Vec::new();
-    let mut refused = None;
+    let mut refused: Vec<Failure> = Vec::new();
     for n in or(&arguments.n) {
         for &scheme in &schemes {
             for &kernel in &kernels {
@@ -97,8 +97,7 @@ fn jobs(arguments: &ParetoArguments) -> Result<Vec<Job>, Failure> {
                     let setup = match Setup::new(&chosen) {
                         Ok(setup) => setup,
                         Err(error) => {
-                            note(&format!("left out: {error}"));
-                            refused = Some(error);
+                            refused.push(error);
                             continue;
                         }
                     };
@@ -109,12 +108,15 @@ fn jobs(arguments: &ParetoArguments) -> Result<Vec<Job>, Failure> {
             }
         }
     }
-    match (jobs.is_empty(), refused) {
+    match (jobs.is_empty(), refused.pop()) {
         (true, Some(error)) => Err(error),
         (true, None) => Err(Failure::BadInput(
             "--backend wgpu --precision f64: WGSL has no 64-bit floats; add --precision f32 or --backend simd".into(),
         )),
-        (false, _) => {
+        (false, last) => {
+            let mut told: Vec<String> = refused.iter().chain(&last).map(ToString::to_string).collect();
+            told.dedup();
+            told.iter().for_each(|error| note(&format!("left out: {error}")));
             for job in &jobs {
                 fits(job)?;
             }

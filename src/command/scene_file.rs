@@ -305,8 +305,10 @@ pub fn text(problem: &Problem, dimension: usize, end_time: f64) -> Result<String
         lines.push(format!("wave_period = {}  # of the driver", float(wave_period)));
     }
     lines.push(format!("conduction = {}  # coefficient of artificial conduction", float(conduction)));
-    lines.extend([String::new(), String::from("[problem]")]);
-    Ok(lines.join("\n") + "\n" + &toml::to_string(&Choices(problem))?)
+    lines.push(String::new());
+    // Under its key, so that a choice with parts of its own is a table below it.
+    let choices = toml::Table::from_iter([("problem".to_string(), toml::Value::Table(choices(problem)?))]);
+    Ok(lines.join("\n") + "\n" + &toml::to_string(&choices)?)
 }
 
 fn names<T: std::fmt::Display>(all: &[T]) -> String {

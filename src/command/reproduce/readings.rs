@@ -101,11 +101,11 @@ pub const READINGS: &[Reading] = &[
     Reading {
         quantity: "wind_cloud_destruction_rate",
         scene: Name::WindCloud,
-        read: Read::Rate { of: "cloud_fraction", at: 5.2, within: 0.8 },
+        read: Read::Rate { of: "cloud_fraction", at: 5.2, within: 0.5 },
         dimension: 3,
         depth: 1.0,
         set: &[],
-        note: "the slope of M/M0 by least squares over t = 4.4 to 6, per unit of time, M0 being the mass measured at the start",
+        note: "the slope of M/M0 by least squares over t = 4.7 to 5.7, per unit of time, M0 being the mass measured at the start",
     },
     Reading {
         quantity: "membrane_radial_velocity_l1",
