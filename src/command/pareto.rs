@@ -10,6 +10,7 @@ use super::failure::Failure;
 use super::memory::{self, Memory};
 use super::run::graphics::Graphics;
 use super::run::progress::note;
+use super::run::seen::names;
 use super::setup::{self, Setup};
 use super::sweep::{Chances, Job, Record, Store, done_of, work};
 use crate::report::{Pareto, ParetoPoint, columns, pareto as draw, pareto_front, plain, utc_now};
@@ -22,6 +23,9 @@ use std::path::{Path, PathBuf};
 /// Runs what is not done yet, draws, tells.
 pub fn pareto(arguments: &ParetoArguments) -> Result<Done, Failure> {
     let jobs = jobs(arguments)?;
+    if let Some(name) = &arguments.error {
+        check_error(name, &jobs[0].setup)?;
+    }
     let level = setup::instructions(None)?;
     let first = &jobs[0].setup;
     let folder = arguments.out.clone().unwrap_or_else(|| {
@@ -305,6 +309,26 @@ fn usual_error(record: &Record) -> Option<String> {
 /// An error against the solution, or the last value of what was measured on the way.
 fn value(record: &Record, name: &str) -> Option<f64> {
     record.l1.get(name).copied().or_else(|| record.last(name))
+}
+
+/// Refuses an error that no run of this scene can have, before any is made.
+fn check_error(name: &str, setup: &Setup) -> Result<(), Failure> {
+    fn known<const D: usize>(setup: &Setup) -> Vec<&'static str> {
+        let scene = setup.problem.scene::<D>();
+        let quantities = scene.quantities().into_iter().map(|quantity| quantity.name);
+        names(scene.view()).into_iter().chain(quantities).collect()
+    }
+    let known = match setup.dimension {
+        1 => known::<1>(setup),
+        2 => known::<2>(setup),
+        _ => known::<3>(setup),
+    };
+    match known.contains(&name) {
+        true => Ok(()),
+        false => {
+            Err(Failure::BadInput(format!("--error {name}: this scene has {}; choose one of them", known.join(", "))))
+        }
+    }
 }
 
 fn nothing_to_measure(job: &Job) -> Failure {
