@@ -23,12 +23,15 @@ pub struct Beside<'a> {
     pub attachments: Vec<Attachment<'a>>,
 }
 
+/// Writes a file to a path.
+pub type Save<'a> = Box<dyn Fn(&Path) -> Result<(), String> + 'a>;
+
 /// A file that is laid beside a report.
 pub struct Attachment<'a> {
     /// Its name.
     pub file: String,
     /// Writes it; the problem in words if it cannot.
-    pub save: Box<dyn Fn(&Path) -> Result<(), String> + 'a>,
+    pub save: Save<'a>,
 }
 
 /// Writes `report.json`, `report.html`, the plots and what is to lie beside them into `folder`.
