@@ -8,6 +8,7 @@ use super::dustywave::{self, DustyWave};
 use super::gas_and_dust::{KERNEL, usual_neighbours};
 use super::scene::{Description, GivenMomentum, Glasses, Measured, Quantity, Scene, Solution};
 use super::{Definition, DustySceneError, Method, SceneError, State, View};
+use crate::exact::dustyshock::gas_of;
 use crate::particles::ParticleSet;
 use crate::passes::Physics;
 use crate::schemes::{CommonPoint, Drag, DragReconstruction, DragSigns, SlopeLimiter};
@@ -393,18 +394,17 @@ impl Kind for InATube {
         // A ratio that no mixture has is refused here, not at each place.
         inner.gas_at(0.0, time)?;
         let waves = [exact.left_wave(), exact.right_wave()].into_iter().flatten().filter_map(|wave| wave.shock());
-        let jumps = exact.contact().into_iter().chain(waves).map(|speed| 0.5 + speed * time).collect();
-        let sample = move |x: f64| exact.sample((x - 0.5) / time);
+        let jumps =
+            exact.contact().into_iter().chain(waves).map(|speed| dustyshock::INTERFACE + speed * time).collect();
+        let sample = move |x: f64| exact.sample((x - dustyshock::INTERFACE) / time);
         let again = inner.exact()?;
         let gas = move |x: f64| {
-            let both = sample(x);
-            let density = both.density / (1.0 + ratio);
-            [density, both.velocity, both.pressure, both.pressure / (less * density)]
+            let Ok(gas) = gas_of(sample(x), ratio) else { return [f64::NAN; 4] };
+            [gas.density, gas.velocity, gas.pressure, gas.pressure / (less * gas.density)]
         };
-        let dust_velocity = move |x: f64| again.sample((x - 0.5) / time).velocity;
+        let dust_velocity = move |x: f64| again.sample((x - dustyshock::INTERFACE) / time).velocity;
         Ok(GasAndDust { gas: Box::new(gas), dust_velocity: Box::new(dust_velocity), jumps })
     }
-    const MEASURED: (f64, f64) = (0.0, 1.0);
     fn pushed(_: &Dusty<Self>, _: f64) -> bool {
         true
     }
