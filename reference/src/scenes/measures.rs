@@ -146,6 +146,7 @@ mod tests {
             mass: vec![2.0; 3],
             mobility: vec![1.0, 1.0, 0.0],
             species: Vec::new(),
+            further: Vec::new(),
         }
     }
 

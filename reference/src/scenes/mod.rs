@@ -1,10 +1,12 @@
 //! The problems that are run: initial state, boundaries, physics, end time and what to compare with.
 
+mod again;
 pub mod double_blast;
 pub mod dusty;
 pub mod dustybox;
 pub mod dustyshock;
 pub mod dustywave;
+mod ending;
 mod error;
 pub mod even_gas;
 mod filling;
@@ -33,6 +35,7 @@ pub mod turbulence;
 mod view;
 pub mod wind_cloud;
 
+pub use ending::{AtEnd, Axis, Course, Curve, Expected};
 pub use error::SceneError;
 pub use filling::{Block, Filling};
 pub use gas_and_dust::DustySceneError;
