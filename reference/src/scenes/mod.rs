@@ -23,6 +23,7 @@ pub mod membrane;
 mod method;
 pub mod mirror;
 pub mod noh;
+mod plateau;
 mod problem;
 pub mod rayleigh_taylor;
 mod scene;

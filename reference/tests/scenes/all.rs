@@ -3,7 +3,7 @@
 use crate::support::particles;
 use etalon_kernels_gen::Field;
 use etalon_reference::particles::ParticleSet;
-use etalon_reference::scenes::{Definition, Name, Problem, ReadChoices, Scene, SceneError, State};
+use etalon_reference::scenes::{Course, Definition, Name, Problem, ReadChoices, Scene, SceneError, State};
 use std::collections::HashSet;
 
 /// Reads choices from JSON.
@@ -88,6 +88,14 @@ fn stands<const D: usize>(name: Name) {
         assert_eq!(values.len(), quantities.len(), "{name}: one value for each quantity");
         assert!(values.iter().all(|value| value.is_finite()), "{name}: {values:?}");
     }
+    let at_end = scene.quantities_at_end();
+    assert!(at_end.iter().all(|q| q.name.chars().all(named) && !q.name.is_empty() && !q.label.is_empty()));
+    assert!(at_end.iter().all(|q| !names.contains(q.name)), "{name}: a quantity twice");
+    let end = scene.at_end(&Course::between(&state, &state)).unwrap();
+    assert_eq!(end.values.len(), at_end.len(), "{name}: one value or reason for each quantity of the end");
+    let told =
+        |value: &Result<f64, String>| value.as_ref().map_or_else(|why| why.len() > 20, |value| value.is_finite());
+    assert!(end.values.iter().all(told), "{name}: {:?}", end.values);
     let description = scene.description();
     assert!(!description.start.is_empty() && !description.boundaries.is_empty());
 }
