@@ -2,7 +2,7 @@
 //! seeded generator. No simulation behind it.
 
 use super::model::{
-    Conserved, Curve, CurveField, Field, FieldDifference, FieldError, FmaPeak, KernelApproximation, Machine,
+    Conserved, Curve, CurveField, Ending, Field, FieldDifference, FieldError, FmaPeak, KernelApproximation, Machine,
     Measurements, Norm, NormRange, Outcome, Profile, ProfileField, Report, Run, Scene, Series, Setting, Speed, Stage,
     Tolerance, stratified,
 };
@@ -137,6 +137,7 @@ fn measurements(level: f64, wall_seconds: f64, threads: u32, peak: Option<f64>) 
         arithmetic_difference: if level > 0.0 { (0..4).map(difference).collect() } else { vec![] },
         profile: Profile { selection: "800 of 110592 particles, evenly in x".into(), x, fields: columns },
         series: Series::default(),
+        ending: Ending::default(),
     }
 }
 

@@ -5,8 +5,6 @@ use super::State;
 /// A run that has ended.
 #[derive(Clone, Copy, Debug)]
 pub struct Course<'a> {
-    /// The state it started from.
-    pub start: &'a State,
     /// The state at the end.
     pub end: &'a State,
     /// When something was measured on the way, ascending.
@@ -16,9 +14,9 @@ pub struct Course<'a> {
 }
 
 impl<'a> Course<'a> {
-    /// From one state to another, with nothing measured between.
-    pub fn between(start: &'a State, end: &'a State) -> Self {
-        Course { start, end, time: &[], values: &[] }
+    /// Of which only the end is known.
+    pub fn to(end: &'a State) -> Self {
+        Course { end, time: &[], values: &[] }
     }
 }
 

@@ -191,7 +191,7 @@ impl<const D: usize> Scene<D> for Turbulence {
         let known = |value: f64, source| if D == 3 { Some((value, source)) } else { None };
         let quantity = |name, label, symbol, unit, expected| Quantity { name, label, symbol, unit, expected };
         vec![
-            quantity("k_max", "wave number of the bottleneck", "k_max", "1/side", None),
+            quantity("k_max", "waves a side at the bottleneck", "k_max", "", None),
             quantity(
                 "spectrum_slope",
                 "slope of the velocity's spectrum from k = 4 to 10",

@@ -91,7 +91,7 @@ fn stands<const D: usize>(name: Name) {
     let at_end = scene.quantities_at_end();
     assert!(at_end.iter().all(|q| q.name.chars().all(named) && !q.name.is_empty() && !q.label.is_empty()));
     assert!(at_end.iter().all(|q| !names.contains(q.name)), "{name}: a quantity twice");
-    let end = scene.at_end(&Course::between(&state, &state)).unwrap();
+    let end = scene.at_end(&Course::to(&state)).unwrap();
     assert_eq!(end.values.len(), at_end.len(), "{name}: one value or reason for each quantity of the end");
     let told =
         |value: &Result<f64, String>| value.as_ref().map_or_else(|why| why.len() > 20, |value| value.is_finite());

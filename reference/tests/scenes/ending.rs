@@ -43,7 +43,7 @@ fn waves(across: usize, energy: impl Fn(f64) -> f64) -> State {
 }
 
 fn end_of<const D: usize>(scene: &dyn Scene<D>, state: &State) -> AtEnd {
-    scene.at_end(&Course::between(state, state)).unwrap()
+    scene.at_end(&Course::to(state)).unwrap()
 }
 
 /// The value of a quantity of the end, or why there is none.
@@ -295,7 +295,7 @@ fn a_cloud_that_shrinks_evenly_has_that_rate() {
         let time: Vec<f64> = (0..=until).map(|k| 0.1 * f64::from(k)).collect();
         let share = time.iter().map(|t| 1.0 - 0.07 * t).collect();
         let values = vec![share, vec![0.0; time.len()]];
-        scene.at_end(&Course { start: &state, end: &state, time: &time, values: &values }).unwrap().values.remove(0)
+        scene.at_end(&Course { end: &state, time: &time, values: &values }).unwrap().values.remove(0)
     };
     near("rate", course(58).unwrap(), -0.07, 1e-12);
     assert!(course(50).unwrap_err().contains("run until then"));

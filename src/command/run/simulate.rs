@@ -8,7 +8,7 @@ use super::timed::{Clocked, Timed};
 use crate::command::choices::{Backend, Precision};
 use crate::command::failure::Failure;
 use crate::command::run::graphics::Graphics;
-use crate::report::model::{Series, Stage};
+use crate::report::model::{Ending, Series, Stage};
 use etalon_reference::domain::Domain;
 use etalon_reference::engine::{Engine, EngineError, PlainEngine};
 use etalon_reference::particles::ParticleSet;
@@ -43,6 +43,8 @@ pub struct Finished {
     pub seen: Seen,
     /// What was measured on the way.
     pub series: Series,
+    /// What was measured at the end alone.
+    pub ending: Ending,
     /// Sums at the start.
     pub start: Totals,
     /// Sums at the end.
@@ -108,7 +110,7 @@ impl<const D: usize> Task<'_, D> {
         let mut watch = |simulation: &mut Simulation<D, E>| -> Result<Duration, Failure> {
             let (clock, time) = (Instant::now(), simulation.time());
             if observer.wants(time, time >= self.end_time) {
-                let state = State::read(simulation.engine(), domain, time).map_err(wrong)?;
+                let state = State::read_for(self.scene, simulation.engine(), domain, time).map_err(wrong)?;
                 observer.measure(state).map_err(|error| Failure::Broken(format!("{label}: {error}")))?;
             }
             Ok(clock.elapsed())
@@ -128,8 +130,11 @@ impl<const D: usize> Task<'_, D> {
         let time = simulation.time();
         // The results take the place of what the last step needed.
         simulation.engine().forget_neighbours();
+        let state = State::read_for(self.scene, simulation.engine(), domain, time).map_err(wrong)?;
+        let ending = observer.ending(&state).map_err(|error| Failure::Broken(format!("{label}: {error}")))?;
         Ok(Finished {
-            seen: Seen::new(State::read(simulation.engine(), domain, time).map_err(wrong)?, self.scene.view()),
+            seen: Seen::new(state, self.scene.view()),
+            ending,
             series: observer.series(),
             end: Totals::read(simulation.engine(), &self.mobile).map_err(wrong)?,
             start,

@@ -55,7 +55,7 @@ pub fn at_end<const D: usize>(state: &State, seed: u64) -> Result<AtEnd, SceneEr
     let flat = |points: &[(f64, f64)]| line(points, 0.0, CASCADE, "k^(-5/3), Kolmogorov");
     let rising = |points: &[(f64, f64)]| line(points, MACH_POWER, lengths, "l^(1/3), Kolmogorov; C25 appendix C");
     let energy = Axis { name: "compensated_energy", label: "k^(5/3) E(k)", unit: "L^2 T^-2", logarithmic: true };
-    let wave = Axis { name: "wave_number", label: "wave number k", unit: "1/side", logarithmic: true };
+    let wave = Axis { name: "wave_number", label: "waves a side, k", unit: "", logarithmic: true };
     let length = Axis { name: "length", label: "length l", unit: "L", logarithmic: true };
     let mach = Axis { name: "mach_number", label: "Mach number M(l)", unit: "", logarithmic: true };
     let mut curves = Vec::new();
