@@ -157,6 +157,16 @@ mod tests {
         assert!(complaint(|m| m.arithmetic_difference[0].scale = 0.0).contains("scale"));
         assert!(complaint(|m| m.arithmetic_difference[0].tolerance.value = 0.0).contains("tolerance"));
         assert!(complaint(|m| m.speed.nanoseconds_per_update = 0.0).contains("SIMD f64"));
+        let curve = |spoil: &dyn Fn(&mut EndCurve)| {
+            let mut report = synthetic::with_ending();
+            let Outcome::Ran(measured) = &mut report.runs[1].outcome else { panic!("the synthetic SIMD run ran") };
+            spoil(&mut measured.ending.curves[0]);
+            check(&report).unwrap_err().to_string()
+        };
+        assert!(curve(&|c| c.y.value[7] = 0.0).contains("`energy` is drawn by powers of ten"));
+        assert!(curve(&|c| c.x.value.truncate(7)).contains("`y` has 59 entries where `x` has 7"));
+        assert!(curve(&|c| c.expected.as_mut().unwrap().y[0] = -1.0).contains("not above zero"));
+        assert!(curve(&|c| c.name = "../../etc".into()).contains("lower-case"));
         for name in ["../../etc", "Density", "", "velocity_x"] {
             let mut named = synthetic::report();
             named.fields[0].name = name.into();

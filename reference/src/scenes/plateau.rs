@@ -80,7 +80,10 @@ impl ShockTube {
             // At the start itself there is no solution to look up.
             if inside.len() < 2 || state.time <= 0.0 {
                 let (from, to) = range;
-                let none = format!("fewer than two particles from x = {from:.4} to {to:.4} at t = {:.4}: take more", state.time);
+                let none = format!(
+                    "fewer than two particles from x = {from:.4} to {to:.4} at t = {:.4}: take more",
+                    state.time
+                );
                 values.extend(repeat_n(Err(none), if plateau.shock { 2 } else { 1 }));
                 continue;
             }

@@ -59,3 +59,26 @@ pub(super) fn measured(report: &Report, plots: &[Plot]) -> String {
     let listed = if rows.is_empty() { String::new() } else { table(&heads, &rows) };
     section("What is there at the end?", "Measured once, on the last state.", &(figures(&drawn) + &listed))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::model::Outcome;
+    use super::super::super::{from_json, plots, synthetic, to_json};
+    use super::*;
+
+    #[test]
+    fn numbers_curves_and_reasons_are_on_the_page() {
+        let mut report = synthetic::with_ending();
+        assert_eq!(from_json(&to_json(&report, &[]).unwrap()).unwrap(), report);
+        let html = |report: &Report| measured(report, &plots(report).unwrap());
+        let page = html(&report);
+        for text in ["The slope", "−1.50", "Kolmogorov", "None: too few particles"] {
+            assert!(page.contains(text), "{text}: {page}");
+        }
+        assert_eq!(page.matches("<figure").count(), 1, "one plot for all runs");
+        let Outcome::Ran(first) = &mut report.runs[0].outcome else { panic!("it ran") };
+        first.ending.quantities[1].missing = Some("<b>".into());
+        assert!(!html(&report).contains("<b>"));
+        assert_eq!(html(&synthetic::report()), "");
+    }
+}

@@ -1,5 +1,6 @@
 //! Curves of a run's end, one plot for each, all runs in it.
 
+use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
@@ -114,5 +115,35 @@ impl Frame {
         }
         area.draw(&PathElement::new([(LEFT, top), (LEFT, bottom), (RIGHT, bottom)], AXIS.light))?;
         write(area, x_label, ((LEFT + RIGHT) / 2, bottom + 64), &text(LABEL, INK, HPos::Center))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic;
+    use super::super::plots;
+    use super::*;
+
+    #[test]
+    fn a_curve_has_all_runs_and_what_it_should_be() {
+        let report = synthetic::with_ending();
+        let all = plots(&report).unwrap();
+        let plot = all.iter().find(|plot| plot.file == "curve_spectrum.svg").unwrap();
+        let svg = plot.svg();
+        for text in
+            ["Spectrum of the velocity", "flat line", "SIMD f32", "label of wave_number [L^-1]", "↑ label of energy"]
+        {
+            assert!(svg.contains(text), "{text}");
+        }
+        // Along the axis 1, 2, 5, 10, 20, 50; up it 5e-5 to 1e-2.
+        assert!(svg.contains(">50<") && svg.contains("10⁻⁴"), "{svg}");
+        // One that only one run has is drawn of that one.
+        let mut single = synthetic::with_ending();
+        for run in &mut single.runs[..3] {
+            let super::super::super::model::Outcome::Ran(measured) = &mut run.outcome else { panic!("it ran") };
+            measured.ending.curves.clear();
+        }
+        assert_eq!(draw(&single).unwrap().len(), 1);
+        assert!(draw(&synthetic::report()).unwrap().is_empty());
     }
 }
