@@ -28,7 +28,8 @@ pub fn differing<const D: usize, E: Engine<D>>(
     steps(&mut first, before)?;
     let saved = through(first.checkpoint()?)?;
     drop(first);
-    let mut second = Simulation::<D, E>::resume(make(set, &fields), physics, &saved)?;
+    let mut second = Simulation::new(make(set, &fields), physics)?;
+    second.restore(&saved)?;
     steps(&mut second, after)?;
 
     let mut differing = Vec::new();

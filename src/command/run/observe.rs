@@ -42,6 +42,18 @@ impl<'a, const D: usize> Observer<'a, D> {
         Ok(())
     }
 
+    /// What was measured until now: when, and quantity by quantity.
+    pub fn so_far(&self) -> (&[f64], &[Vec<f64>]) {
+        (&self.times, &self.values)
+    }
+
+    /// Takes what was measured before a stop in place of what it has. The start was measured again, for what is compared with it.
+    pub fn go_on(&mut self, times: Vec<f64>, values: Vec<Vec<f64>>) {
+        let last = times.last().copied().unwrap_or(0.0);
+        self.next = self.every * ((last / self.every).floor() + 1.0);
+        (self.times, self.values) = (times, values);
+    }
+
     /// Measures what there is at the end alone.
     pub fn ending(&self, end: &State) -> Result<Ending, SceneError> {
         let course = Course { end, time: &self.times, values: &self.values };

@@ -3,18 +3,21 @@
 use crate::command::explain::work_per_update;
 use crate::command::failure::Failure;
 use crate::command::memory::Memory;
+use crate::command::restarts::{Restarts, USUAL_SECONDS};
 use crate::command::run::graphics::Graphics;
 use crate::command::run::plan::Combination;
 use crate::command::run::progress::Progress;
 use crate::command::run::seen::names;
 use crate::command::run::simulate::{Finished, Task};
-use crate::command::run::{compare, particles};
+use crate::command::run::{self, compare, particles};
 use crate::command::setup::Setup;
+use etalon_kernels_gen::lanes::level_name;
 use etalon_reference::pipeline::Pipeline;
 use etalon_reference::scenes::wind_cloud::destruction_rate;
 use fearless_simd::Level;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::Arc;
 
 /// A run to be made.
@@ -82,16 +85,37 @@ impl Job {
         particles.powf(1.0 + 1.0 / self.setup.dimension as f64) * self.setup.end_time
     }
 
-    /// Makes the run.
-    pub fn run(&self, level: Level, graphics: &Graphics, label: &str) -> Result<Record, Failure> {
+    /// Where its restart file lies in a folder of results: each run has a place of its own, for another may be made before it goes on.
+    fn restarts(&self, level: Level, folder: &Path) -> Result<Restarts, Failure> {
+        let settings = vec![("scene", self.id()), ("instructions", level_name(level).to_string())];
+        let own = folder.join(format!("{:08x}.restart", crc32fast::hash(self.id().as_bytes())));
+        Restarts::new(own, USUAL_SECONDS, settings)
+    }
+
+    /// Makes the run, from its restart file in this folder if there is one.
+    pub fn run(&self, level: Level, graphics: &Graphics, label: &str, folder: &Path) -> Result<Record, Failure> {
+        let restarts = self.restarts(level, folder)?;
         match self.setup.dimension {
-            1 => self.run_in::<1>(level, graphics, label),
-            2 => self.run_in::<2>(level, graphics, label),
-            _ => self.run_in::<3>(level, graphics, label),
+            1 => self.run_in::<1>(level, graphics, label, &restarts),
+            2 => self.run_in::<2>(level, graphics, label, &restarts),
+            _ => self.run_in::<3>(level, graphics, label, &restarts),
         }
     }
 
-    fn run_in<const D: usize>(&self, level: Level, graphics: &Graphics, label: &str) -> Result<Record, Failure> {
+    /// Removes its restart file, once its record is on the disk.
+    pub fn done(&self, level: Level, folder: &Path) {
+        if let Ok(restarts) = self.restarts(level, folder) {
+            restarts.remove(&[run::label(self.combination)]);
+        }
+    }
+
+    fn run_in<const D: usize>(
+        &self,
+        level: Level,
+        graphics: &Graphics,
+        label: &str,
+        restarts: &Restarts,
+    ) -> Result<Record, Failure> {
         let scene = self.setup.problem.scene::<D>();
         let set = particles::<D>(&self.setup, level)?;
         let count = set.len() as u64;
@@ -105,7 +129,8 @@ impl Job {
             level,
         };
         let progress = Progress::new(label, task.end_time, true);
-        let finished = task.run(self.combination, Arc::new(set), graphics, progress)?;
+        let restart = restarts.of(&run::label(self.combination), &physics, &set);
+        let finished = task.run(self.combination, Arc::new(set), graphics, progress, Some(restart))?;
         let mut l1 = BTreeMap::new();
         if let Some(solution) = scene.solution(task.end_time)? {
             let measured = scene.measured(task.end_time);
