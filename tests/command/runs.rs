@@ -122,6 +122,37 @@ fn a_run_leaves_series_and_hdf5() {
     assert_eq!(code(&compared), Some(0), "{}", stderr(&compared));
 }
 
+/// What a run measures at its end: numbers, or why there is none, and curves as plots and tables.
+#[test]
+fn a_run_leaves_what_its_end_is_measured_for() {
+    let place = Place::new("ending");
+    let run = ["run", "turbulence", "--dim", "1", "--n", "64", "--end-time", "1", "--precision", "f64", "--json"];
+    let output = place.etalon(&[&run[..], &["--backend", "simd"]].concat());
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    let report = json(stdout(&output));
+    let folder = place.path("etalon-out/turbulence-1d");
+    for run in report["runs"].as_array().unwrap() {
+        let ending = &run["outcome"]["ran"]["ending"];
+        let quantities = ending["quantities"].as_array().unwrap();
+        let names: Vec<&str> = quantities.iter().map(|q| q["name"].as_str().unwrap()).collect();
+        assert_eq!(names, ["k_max", "spectrum_slope", "mach_slope"]);
+        assert!(quantities.iter().all(|q| q["value"].is_f64() != q["missing"].is_string()), "{ending}");
+        assert!(quantities[1]["value"].is_f64(), "64 particles hold the waves of the slope: {ending}");
+        let curves = ending["curves"].as_array().unwrap();
+        assert_eq!(curves.len(), 4, "{ending}");
+        for curve in curves {
+            let name = curve["name"].as_str().unwrap();
+            let file =
+                format!("curve_{name}_{}_{}.csv", run["backend"].as_str().unwrap(), run["precision"].as_str().unwrap());
+            let table = fs::read_to_string(folder.join(&file)).unwrap();
+            assert_eq!(table.lines().count(), 1 + curve["x"]["value"].as_array().unwrap().len(), "{file}");
+            assert!(folder.join(format!("curve_{name}.svg")).exists());
+        }
+    }
+    let page = fs::read_to_string(folder.join("report.html")).unwrap();
+    assert!(page.contains("What is there at the end?") && page.contains("Spectrum of the velocity"));
+}
+
 /// Where a device must be there, the command must use it and judge it.
 #[test]
 fn a_graphics_adapter_is_used_where_there_is_one() {

@@ -5,7 +5,7 @@
 //! | `plan.rs`, `graphics.rs` | what is to run; the graphics adapter, or why there is none |
 //! | `simulate.rs`, `timed.rs`, `progress.rs` | one simulation, its clocks, its progress |
 //! | `seen.rs`, `curve.rs` | the particles at the end as the scene looks at them; the exact solution as a line |
-//! | `observe.rs` | what a scene measures while it runs |
+//! | `observe.rs` | what a scene measures while it runs, and at the end |
 //! | `compare.rs`, `approximation.rs` | the three sources of error |
 //! | `sensitivity.rs`, `noisy.rs` | where tolerances come from |
 //! | `wrapped.rs` | an engine with clocks or noise around it |
@@ -295,6 +295,7 @@ impl Session<'_> {
             arithmetic_difference: Vec::new(),
             profile: crate::report::model::Profile { selection: String::new(), x: Vec::new(), fields: Vec::new() },
             series: finished.series.clone(),
+            ending: finished.ending.clone(),
         })
     }
 

@@ -9,7 +9,7 @@ use crate::command::choices::{Backend, Precision};
 use crate::command::failure::Failure;
 use crate::command::restarts::{Restart, SoFar};
 use crate::command::run::graphics::Graphics;
-use crate::report::model::{Series, Stage};
+use crate::report::model::{Ending, Series, Stage};
 use etalon_reference::domain::Domain;
 use etalon_reference::engine::{Engine, EngineError, PlainEngine};
 use etalon_reference::particles::ParticleSet;
@@ -44,6 +44,8 @@ pub struct Finished {
     pub seen: Seen,
     /// What was measured on the way.
     pub series: Series,
+    /// What was measured at the end alone.
+    pub ending: Ending,
     /// Sums at the start.
     pub start: Totals,
     /// Sums at the end.
@@ -139,8 +141,11 @@ impl<const D: usize> Task<'_, D> {
         let time = simulation.time();
         // The results take the place of what the last step needed.
         simulation.engine().forget_neighbours();
+        let state = State::read_for(self.scene, simulation.engine(), domain, time).map_err(wrong)?;
+        let ending = watch.observer.ending(&state).map_err(|error| Failure::Broken(format!("{label}: {error}")))?;
         Ok(Finished {
-            seen: Seen::new(State::read(simulation.engine(), domain, time).map_err(wrong)?, self.scene.view()),
+            seen: Seen::new(state, self.scene.view()),
+            ending,
             series: watch.observer.series(),
             end: Totals::read(simulation.engine(), &self.mobile).map_err(wrong)?,
             start,
@@ -180,8 +185,8 @@ impl<const D: usize> Watch<'_, D> {
         let (begun, time) = (Instant::now(), simulation.time());
         if self.observer.wants(time, time >= self.task.end_time) {
             let wrong = |error: String| Failure::Broken(format!("{}: {error}", self.label));
-            let state =
-                State::read(simulation.engine(), self.domain, time).map_err(|error| wrong(error.to_string()))?;
+            let state = State::read_for(self.task.scene, simulation.engine(), self.domain, time);
+            let state = state.map_err(|error| wrong(error.to_string()))?;
             self.observer.measure(state).map_err(|error| wrong(error.to_string()))?;
         }
         self.aside += begun.elapsed();

@@ -50,7 +50,7 @@ pub struct Record {
     pub energy_drift: f64,
     /// When it was measured on the way, ascending.
     pub time: Vec<f64>,
-    /// What was measured then, by name.
+    /// What was measured then, by name; of what is measured at the end alone one value.
     pub measured: BTreeMap<String, Vec<f64>>,
 }
 
@@ -137,6 +137,10 @@ impl Job {
             let errors = compare::discretisation(&finished.seen, scene.view(), solution.as_ref(), measured)?;
             l1.extend(names(scene.view()).into_iter().map(String::from).zip(errors.into_iter().map(|e| e.l1)));
         }
+        let on_the_way = finished.series.quantities.iter().map(|q| (q.name.clone(), q.value.clone()));
+        // Of what is measured at the end alone there is one value, the last.
+        let at_end = finished.ending.quantities.iter().filter_map(|q| Some((q.name.clone(), vec![q.value?])));
+        let measured = on_the_way.chain(at_end).collect();
         let pipeline = Pipeline::of_scene::<D>(&physics);
         let (backend, precision) = self.combination;
         let neighbours = self.setup.method().neighbours;
@@ -150,7 +154,7 @@ impl Job {
             bytes_per_particle: Memory::of::<D>(backend, precision, &pipeline, neighbours).total(),
             l1,
             energy_drift: drift(&finished),
-            measured: finished.series.quantities.iter().map(|q| (q.name.clone(), q.value.clone())).collect(),
+            measured,
             time: finished.series.time,
         })
     }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Profile, Series};
+use super::{Ending, Profile, Series};
 
 /// One backend in one precision.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -85,6 +85,9 @@ pub struct Measurements {
     /// What was measured on the way; without quantities where the scene measures nothing.
     #[serde(default)]
     pub series: Series,
+    /// What was measured at the end alone.
+    #[serde(default)]
+    pub ending: Ending,
 }
 
 impl Measurements {
