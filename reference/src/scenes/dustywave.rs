@@ -25,6 +25,8 @@ use std::f64::consts::TAU;
 pub const END_TIME: f64 = 10.0;
 /// The drag coefficient (PL20 section 3.1).
 pub const DRAG_COEFFICIENT: f64 = 1000.0;
+/// The amplitude of the start (PL20 section 3.1), of velocities in units of the sound speed and of densities.
+pub const AMPLITUDE: f64 = 1e-6;
 /// The wavelength and the box's length.
 const WAVELENGTH: f64 = 1.0;
 
@@ -61,7 +63,7 @@ impl DustyWave {
         DustyWave {
             particles: 128,
             rows: 12,
-            amplitude: 1e-6,
+            amplitude: AMPLITUDE,
             gas_density: 1.0,
             dust_density: 1.0,
             sound_speed: 1.0,
