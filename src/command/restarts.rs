@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use crate::report::model::Stage;
 use crate::snapshot::restart::{Settings, load, save};
+use etalon_kernels_gen::Field;
 use etalon_reference::engine::{Engine, EngineError};
 use etalon_reference::particles::ParticleSet;
 use etalon_reference::passes::Physics;
@@ -135,13 +136,15 @@ impl Restart {
         }
     }
 
-    /// Writes the file.
+    /// Writes the file, with these fields besides.
     pub fn keep<const D: usize, E: Engine<D>>(
         &mut self,
         simulation: &mut Simulation<D, E>,
+        further: &[Field],
         so_far: &SoFar,
     ) -> Result<(), Failure> {
-        let checkpoint = simulation.checkpoint().map_err(|error: EngineError| Failure::Broken(error.to_string()))?;
+        let checkpoint =
+            simulation.checkpoint(further).map_err(|error: EngineError| Failure::Broken(error.to_string()))?;
         let folder = self.path.parent().unwrap_or(Path::new("."));
         std::fs::create_dir_all(folder)
             .map_err(|error| Failure::Broken(format!("cannot create {}: {error}", folder.display())))?;

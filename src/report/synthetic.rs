@@ -107,6 +107,7 @@ fn measurements(level: f64, wall_seconds: f64, threads: u32, peak: Option<f64>) 
         time: 0.2,
         threads,
         wall_seconds,
+        operations_per_update: 24_000.0,
         bytes_per_particle: if level > 1e-9 { 212.0 } else { 384.0 },
         speed: Speed::new(particles, steps, wall_seconds, peak.map(|peak| (threads, peak)), Some(6210.0)),
         stages: share

@@ -26,7 +26,7 @@ pub fn differing<const D: usize, E: Engine<D>>(
     steps(&mut whole, before + after)?;
     let mut first = Simulation::new(make(set, &fields), physics)?;
     steps(&mut first, before)?;
-    let saved = through(first.checkpoint()?)?;
+    let saved = through(first.checkpoint(&[])?)?;
     drop(first);
     let mut second = Simulation::new(make(set, &fields), physics)?;
     second.restore(&saved)?;

@@ -2,5 +2,6 @@
 
 pub mod cloud_mass;
 pub mod entropy;
+pub mod front_width;
 pub mod mode_amplitude;
 pub mod sign_reversal;

@@ -9,7 +9,7 @@
 //!   10^-6 and 1024 particles that is noise of a tenth of the wave. A lattice of a power of two lies on that grid exactly.
 
 use super::gas_and_dust::{
-    DustySceneError, KERNEL, check_neighbours, enough_across, lattice, mixture, usual_neighbours,
+    DustySceneError, KERNEL, check_neighbours, enough_across, lattice, mixture, physics, usual_neighbours,
 };
 use crate::domain::Domain;
 use crate::equations::reconstruction::smoothing_length_holding;
@@ -18,13 +18,15 @@ use crate::exact::dustywave;
 use crate::exact::dustywave::Disturbance;
 use crate::particles::{Particle, ParticleError, ParticleSet};
 use crate::passes::Physics;
-use crate::schemes::{Dissipation, Drag, GradH, Kernel, Viscosity};
+use crate::schemes::{Dissipation, Drag, Kernel};
 use std::f64::consts::TAU;
 
 /// When the paper looks, as we read its ten periods.
 pub const END_TIME: f64 = 10.0;
 /// The drag coefficient (PL20 section 3.1).
 pub const DRAG_COEFFICIENT: f64 = 1000.0;
+/// The amplitude of the start (PL20 section 3.1), of velocities in units of the sound speed and of densities.
+pub const AMPLITUDE: f64 = 1e-6;
 /// The wavelength and the box's length.
 const WAVELENGTH: f64 = 1.0;
 
@@ -61,7 +63,7 @@ impl DustyWave {
         DustyWave {
             particles: 128,
             rows: 12,
-            amplitude: 1e-6,
+            amplitude: AMPLITUDE,
             gas_density: 1.0,
             dust_density: 1.0,
             sound_speed: 1.0,
@@ -75,15 +77,7 @@ impl DustyWave {
 
     /// The physics of all passes.
     pub fn physics(&self) -> Physics {
-        Physics {
-            kernel: self.kernel,
-            grad_h: GradH::Corrected,
-            viscosity: Viscosity::of(self.dissipation),
-            gamma_minus_one: self.gamma - 1.0,
-            neighbours: self.neighbours,
-            drag: Some(self.drag),
-            ..Physics::STANDARD
-        }
+        physics(self.kernel, self.neighbours, self.dissipation, self.gamma, self.drag)
     }
 
     /// The exact solution, to be asked with [`initial`](Self::initial).

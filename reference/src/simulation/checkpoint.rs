@@ -4,7 +4,7 @@ use super::Simulation;
 use crate::engine::{Arrangement, Engine, EngineError};
 use crate::fields;
 use crate::turbulence::forcing::ForcingState;
-use etalon_kernels_gen::{Component, components};
+use etalon_kernels_gen::{Component, Field, components};
 
 /// All that the next step depends on, what stirs the gas included, and what is looked at between steps ([`fields::SHOWN`]).
 #[derive(Clone, Debug, PartialEq)]
@@ -27,13 +27,13 @@ pub struct Checkpoint {
 }
 
 impl<const D: usize, E: Engine<D>> Simulation<D, E> {
-    /// What it takes to go on from here later.
+    /// What it takes to go on from here later, with what is `shown` beside [`fields::SHOWN`].
     ///
     /// # Errors
     /// Whatever reading from the engine gives.
-    pub fn checkpoint(&mut self) -> Result<Checkpoint, EngineError> {
+    pub fn checkpoint(&mut self, shown: &[Field]) -> Result<Checkpoint, EngineError> {
         let (mut kept, all) = (self.pipeline.carried::<D>(), self.pipeline.fields::<D>());
-        for field in fields::SHOWN {
+        for field in fields::SHOWN.iter().chain(shown) {
             if all.contains(field) && !kept.contains(field) {
                 kept.push(*field);
             }

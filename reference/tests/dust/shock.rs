@@ -1,6 +1,7 @@
 //! DUSTYSHOCK, small, and under a tenth of the paper's drag: steps are ten times as long, and the fronts' own width, `t_s c_s`, is still far below
 //! the particles' distance.
 
+use etalon_reference::diagnostics::front_width::front_width;
 use etalon_reference::engine::{Engine, PlainEngine};
 use etalon_reference::fields;
 use etalon_reference::scenes::dustyshock::{DRAG_COEFFICIENT, DustyShock, END_TIME, INTERFACE};
@@ -13,6 +14,8 @@ struct End {
     error: f64,
     /// The largest velocity.
     fastest: f64,
+    /// The width of the shock in the gas, in smoothing lengths; none if it does not reach its strength.
+    width: Option<f64>,
     /// The largest velocity difference between a particle of gas and its copy of dust.
     apart: f64,
 }
@@ -31,15 +34,17 @@ fn end(particles: usize, point: CommonPoint, limiter: SlopeLimiter) -> End {
         .filter(|&i| set.particles()[i].mobile)
         .map(|i| (velocity[i] - exact.sample((x[i] - INTERFACE) / END_TIME).velocity).abs())
         .collect();
+    let h = engine.read_scalar(fields::SMOOTHING_LENGTH).unwrap();
     let (gas, dust) = velocity.split_at(set.len() / 2);
     let end = End {
         error: off.iter().sum::<f64>() / off.len() as f64,
         fastest: velocity.iter().copied().fold(0.0, f64::max),
+        width: front_width((0..gas.len()).map(|i| [x[i], gas[i], h[i]]), exact.contact().unwrap()),
         apart: gas.iter().zip(dust).map(|(g, d)| (g - d).abs()).fold(0.0, f64::max),
     };
     println!(
-        "{particles}, {point}, {limiter}: L1 {:.4e}, fastest {:.4}, apart {:.4}",
-        end.error, end.fastest, end.apart
+        "{particles}, {point}, {limiter}: L1 {:.4e}, fastest {:.4}, width {:.2?}, apart {:.4}",
+        end.error, end.fastest, end.width, end.apart
     );
     end
 }
@@ -52,6 +57,8 @@ fn reconstruction_sharpens_the_shock_and_the_limiter_keeps_it_from_overshooting(
     let limited = end(64, CommonPoint::Barycentre, SlopeLimiter::MonotonizedCentral);
     assert!(limited.error < 0.65 * without.error, "{} and {}", limited.error, without.error);
     assert!(limited.error < unlimited.error && limited.fastest < unlimited.fastest);
+    let wider = without.width.is_none_or(|without| limited.width.is_some_and(|limited| without > limited));
+    assert!(wider && limited.width.is_some(), "{:?} and {:?}", limited.width, without.width);
     // The order of magnitude of the drift that pressure keeps up, t_s grad P / rho, is 6e-3 * 30: dust and gas are coupled.
     assert!(limited.apart < 0.2, "{}", limited.apart);
 }

@@ -57,7 +57,7 @@ type Run = Simulation<1, PlainEngine<f64, 1>>;
 fn wave() -> (ParticleSet<1>, Physics, Checkpoint) {
     let physics = Sod::standard(1).physics();
     let set = set::<1>(Difficulty::None, 100, &physics, 7).unwrap();
-    let checkpoint = Run::new(PlainEngine::new(&set), physics).unwrap().checkpoint().unwrap();
+    let checkpoint = Run::new(PlainEngine::new(&set), physics).unwrap().checkpoint(&[]).unwrap();
     (set, physics, checkpoint)
 }
 
@@ -101,12 +101,12 @@ fn a_stirred_run_resumes_bit_for_bit() {
     let steps = |run: &mut Simulation<2, _>| (0..5).for_each(|_| assert!(run.step(f64::MAX).unwrap() > 0.0));
     let shown = |run: &mut Simulation<2, PlainEngine<f64, 2>>| {
         let time = run.time();
-        let state = State::read(run.engine(), set.domain(), time).unwrap();
+        let state = State::read_for::<2, _>(&scene, run.engine(), set.domain(), time).unwrap();
         format!("{state:?} {:?}", run.forcing().unwrap().state())
     };
     let mut whole = start();
     steps(&mut whole);
-    let saved = whole.checkpoint().unwrap();
+    let saved = whole.checkpoint(Scene::<2>::further_fields(&scene)).unwrap();
     let mut second = start();
     second.restore(&saved).unwrap();
     assert_eq!(shown(&mut second), shown(&mut whole));

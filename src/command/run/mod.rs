@@ -30,6 +30,7 @@ mod wrapped;
 
 use super::arguments::RunArguments;
 use super::choices::{Backend, Precision};
+use super::explain::work_per_update;
 use super::failure::Failure;
 use super::memory::{self, Memory};
 use super::restarts::Restarts;
@@ -179,6 +180,8 @@ impl Session<'_> {
             let reference = baseline.as_ref().filter(|_| combination != REFERENCE);
             let mut measured = self.measure(combination, &finished, reference, particles, peak)?;
             measured.bytes_per_particle = memory(combination);
+            measured.operations_per_update =
+                work_per_update::<D>(&pipeline, task.physics, precision, method.neighbours)?;
             if let Some(solution) = solution {
                 measured.discretisation_error =
                     compare::discretisation(&finished.seen, scene.view(), solution, scene.measured(task.end_time))?;
@@ -287,6 +290,7 @@ impl Session<'_> {
             time: finished.time,
             threads,
             wall_seconds: finished.wall_seconds,
+            operations_per_update: 0.0,
             bytes_per_particle: 0.0,
             speed,
             stages: finished.stages.clone(),

@@ -203,7 +203,8 @@ impl<const D: usize> Watch<'_, D> {
         let stages = simulation.engine().stages().map_err(|error| Failure::Broken(error.to_string()))?;
         let (time, values) = self.observer.so_far();
         let stages = self.before.and_stages(stages);
-        restart.keep(simulation, &SoFar { wall_seconds, stages, time: time.to_vec(), values: values.to_vec() })?;
+        let so_far = SoFar { wall_seconds, stages, time: time.to_vec(), values: values.to_vec() };
+        restart.keep(simulation, self.task.scene.further_fields(), &so_far)?;
         self.aside += begun.elapsed();
         Ok(())
     }

@@ -68,6 +68,9 @@ pub struct Measurements {
     pub threads: u32,
     /// Wall-clock time of all steps, seconds; set-up and comparison are not in it.
     pub wall_seconds: f64,
+    /// Floating-point operations of one particle in one step, counted from the graph with the wanted neighbour number.
+    #[serde(default)]
+    pub operations_per_update: f64,
     /// Memory held for the simulation at its largest, bytes a particle.
     pub bytes_per_particle: f64,
     /// Rates that follow from the above.

@@ -55,7 +55,7 @@ fn checkpoint() -> (Checkpoint, Settings) {
     let mut run = Simulation::new(PlainEngine::<f64, 1>::new(&set), physics::<1>()).unwrap();
     run.step(1.0).unwrap();
     (
-        run.checkpoint().unwrap(),
+        run.checkpoint(&[]).unwrap(),
         Settings::new("reference f64", &physics::<1>(), set.domain()).with("scene", "sod\nn = 100"),
     )
 }
