@@ -6,7 +6,7 @@ mod place;
 
 use etalon_kernels_gen::components;
 use etalon_reference::pipeline::Pipeline;
-use etalon_reference::scenes::{Name, Scene, SceneError, State};
+use etalon_reference::scenes::{Course, Name, Scene, SceneError, State};
 use etalon_reference::simulation::Simulation;
 use etalon_reference::{domain::Domain, fields};
 use etalon_simd::{LaneEngine, Options};
@@ -45,7 +45,7 @@ fn smallest(name: Name) -> (etalon_reference::scenes::Problem, usize) {
 }
 
 /// All numbers of the state after some steps, and what the scene measures then.
-fn followed<const D: usize>(scene: &dyn Scene<D>, threads: usize) -> (Vec<u64>, Vec<(&'static str, f64)>) {
+fn followed<const D: usize>(scene: &dyn Scene<D>, threads: usize) -> (Vec<u64>, Vec<String>) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| {
         let set = scene.particles(&mut |_| unreachable!("the usual start is a lattice")).unwrap();
@@ -57,12 +57,12 @@ fn followed<const D: usize>(scene: &dyn Scene<D>, threads: usize) -> (Vec<u64>, 
             None => Simulation::new(engine, physics).unwrap(),
         };
         let domain: Domain<D> = *set.domain();
-        let start = State::read(simulation.engine(), &domain, 0.0).unwrap();
+        let start = State::read_for(scene, simulation.engine(), &domain, 0.0).unwrap();
         for _ in 0..STEPS {
             simulation.step(f64::INFINITY).unwrap();
         }
         let time = simulation.time();
-        let state = State::read(simulation.engine(), &domain, time).unwrap();
+        let state = State::read_for(scene, simulation.engine(), &domain, time).unwrap();
         let columns = state.position.iter().chain(&state.velocity).chain([&state.density, &state.internal_energy]);
         let bits = columns.flatten().map(|value| value.to_bits()).collect();
         let values = scene.observe_since(&start, &state).unwrap();
@@ -70,13 +70,25 @@ fn followed<const D: usize>(scene: &dyn Scene<D>, threads: usize) -> (Vec<u64>, 
         let mut measured =
             vec![("time", time), ("kinetic_energy_of_all", kinetic(&state)), ("heat_of_all", heat(&state))];
         measured.extend(names.zip(values));
-        (bits, measured)
+        let end = scene.at_end(&Course::to(&state)).unwrap();
+        let at_end = scene.quantities_at_end().into_iter().map(|quantity| quantity.name).zip(end.values);
+        let mut lines: Vec<String> = measured.into_iter().map(|(name, value)| line(name, Ok(value))).collect();
+        lines.extend(at_end.map(|(name, value)| line(name, value)));
+        lines.extend(end.curves.iter().map(|curve| format!("curve {} of {} points", curve.name, curve.points.len())));
+        (bits, lines)
     })
 }
 
 /// Six digits, and nothing of what is rounding: the host's logarithms and sines, in some measurements, may differ in the last digits.
 fn shown(value: f64) -> String {
     if value != 0.0 && value.abs() < 1e-10 { "below 1e-10".into() } else { format!("{value:.5e}") }
+}
+
+fn line(name: &str, value: Result<f64, String>) -> String {
+    match value {
+        Ok(value) => format!("{name} = {}", shown(value)),
+        Err(why) => format!("{name}: none, {why}"),
+    }
 }
 
 fn kinetic(state: &State) -> f64 {
@@ -102,7 +114,7 @@ fn every_scene_measures_what_it_did() {
         let ((bits, measured), (again, _)) = (of(1), of(3));
         assert!(bits == again, "{name}: the particles depend on the number of threads");
         lines.push(format!("{name}, {dimension}-D, {} particles asked for, {STEPS} steps", problem.method().particles));
-        lines.extend(measured.into_iter().map(|(quantity, value)| format!("  {quantity} = {}", shown(value))));
+        lines.extend(measured.into_iter().map(|line| format!("  {line}")));
     }
     insta::assert_snapshot!(lines.join("\n"));
 }

@@ -14,6 +14,9 @@ macro_rules! fields {
     (@ $reduction:ident) => { Reduction::$reduction };
 }
 
+/// What is looked at between steps, beside the coordinates.
+pub const SHOWN: &[Field] = &[VELOCITY, DENSITY, PRESSURE, INTERNAL_ENERGY, SMOOTHING_LENGTH, MASS, MOBILITY, SPECIES];
+
 fields! {
     /// Mass `m`.
     MASS = "mass", "m", "M", Scalar;

@@ -146,6 +146,10 @@ pub struct RunArguments {
     /// Graphics adapter, by a part of its name [default: hardware before software]
     #[arg(long, value_name = "NAME")]
     pub adapter: Option<String>,
+    /// Seconds of wall-clock time between two restart files, in DIR.restart beside the report's folder: after an interruption the same command
+    /// goes on from them. 0 for none
+    #[arg(long, value_name = "SECONDS", default_value = "300", value_parser = number, allow_negative_numbers = true)]
+    pub restart_every: f64,
     /// Folder of the report; a report that is there is replaced, any other folder refused [default: etalon-out/SCENE-Dd]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -15,6 +15,7 @@ mod memory;
 mod pages;
 mod pareto;
 mod reproduce;
+mod restarts;
 mod run;
 mod scene_file;
 mod scenes;

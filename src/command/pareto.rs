@@ -285,7 +285,8 @@ fn value(record: &Record, name: &str) -> Option<f64> {
 fn check_error(name: &str, setup: &Setup) -> Result<(), Failure> {
     fn known<const D: usize>(setup: &Setup) -> Vec<&'static str> {
         let scene = setup.problem.scene::<D>();
-        let quantities = scene.quantities().into_iter().map(|quantity| quantity.name);
+        let all = scene.quantities().into_iter().chain(scene.quantities_at_end());
+        let quantities = all.map(|quantity| quantity.name);
         names(scene.view()).into_iter().chain(quantities).collect()
     }
     let known = match setup.dimension {

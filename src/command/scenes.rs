@@ -5,7 +5,7 @@ use super::choices::{Backend, Precision};
 use super::failure::Failure;
 use super::scene_file;
 use etalon_reference::scenes::{Arrangement, Name, Problem};
-use etalon_reference::schemes::{Dissipation, GradH, Kernel};
+use etalon_reference::schemes::{Dissipation, GradH, Gradients, Kernel, Rung, VolumeElement};
 use serde_json::json;
 
 /// The list for people or as JSON, or the file.
@@ -56,6 +56,9 @@ fn as_json() -> Result<String, Failure> {
         "schemes": names(Dissipation::ALL),
         "kernels": names(Kernel::ALL),
         "grad_h": names(GradH::ALL),
+        "gradients": names(Gradients::ALL),
+        "volume_elements": names(VolumeElement::ALL),
+        "rungs": names(Rung::ALL),
         "starts": names(Arrangement::ALL),
         "backends": names(Backend::ALL),
         "precisions": names(Precision::ALL),
@@ -92,6 +95,14 @@ fn text() -> Result<String, Failure> {
     out += "\n`etalon scenes NAME` prints a scene as a file to copy, change and run.\n\n";
     for (option, names) in options {
         out += &format!("--{option:<11} {}\n", names.join(", "));
+    }
+    let settings = [
+        ("gradients", names(Gradients::ALL)),
+        ("volume_elements", names(VolumeElement::ALL)),
+        ("rung", names(Rung::ALL)),
+    ];
+    for (key, names) in settings {
+        out += &format!("--set method.{key}={}\n", names.join("|"));
     }
     Ok(out)
 }

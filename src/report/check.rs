@@ -1,7 +1,7 @@
 //! What a report must satisfy before anything is made of it.
 
 use super::json::first_not_finite;
-use super::model::{Measurements, Profile, Tolerance};
+use super::model::{EndCurve, Measurements, Profile, Tolerance};
 use super::{Report, ReportError};
 
 /// Checks that all numbers are finite and that the parts fit each other.
@@ -16,9 +16,7 @@ pub fn check(report: &Report) -> Result<(), ReportError> {
         return Err(ReportError::inconsistent("runs", "a report needs at least one run, skipped or not"));
     }
     for (index, field) in report.fields.iter().enumerate() {
-        // The name becomes part of a file's name.
-        let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
-        if field.name.is_empty() || !field.name.chars().all(plain) {
+        if !names_a_file(&field.name) {
             let problem = format!("`{}` is not a field's name: lower-case ASCII letters, digits and `_`", field.name);
             return Err(ReportError::inconsistent("fields", problem));
         }
@@ -64,7 +62,37 @@ fn check_run(report: &Report, label: &str, measured: &Measurements) -> Result<()
     for quantity in &measured.series.quantities {
         same_length(&format!("runs[{label}].series[{}]", quantity.name), "value", quantity.value.len(), times)?;
     }
+    measured.ending.curves.iter().try_for_each(|curve| check_curve(label, curve))?;
     check_profile(report, label, &measured.profile)
+}
+
+/// Whether a name may become part of a file's name.
+fn names_a_file(name: &str) -> bool {
+    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+    !name.is_empty() && name.chars().all(plain)
+}
+
+/// Checks that a curve of the end can be drawn.
+fn check_curve(label: &str, curve: &EndCurve) -> Result<(), ReportError> {
+    let path = format!("runs[{label}].ending.curves[{}]", curve.name);
+    if !names_a_file(&curve.name) {
+        return Err(ReportError::inconsistent(path, "a curve's name is of lower-case ASCII letters, digits and `_`"));
+    }
+    same_length(&path, "y", curve.y.value.len(), curve.x.value.len())?;
+    if let Some(line) = &curve.expected {
+        same_length(&format!("{path}.expected"), "y", line.y.len(), line.x.len())?;
+    }
+    let line = curve.expected.as_ref();
+    let both = [(&curve.x, line.map(|line| &line.x)), (&curve.y, line.map(|line| &line.y))];
+    let low = |value: &f64| *value <= 0.0;
+    for (column, line) in both.into_iter().filter(|(column, _)| column.logarithmic) {
+        if column.value.iter().chain(line.into_iter().flatten()).any(low) {
+            let problem =
+                format!("`{}` is drawn by powers of ten and has a number that is not above zero", column.name);
+            return Err(ReportError::inconsistent(path, problem));
+        }
+    }
+    Ok(())
 }
 
 /// Checks that all columns of a profile belong to the same particles.
@@ -129,6 +157,16 @@ mod tests {
         assert!(complaint(|m| m.arithmetic_difference[0].scale = 0.0).contains("scale"));
         assert!(complaint(|m| m.arithmetic_difference[0].tolerance.value = 0.0).contains("tolerance"));
         assert!(complaint(|m| m.speed.nanoseconds_per_update = 0.0).contains("SIMD f64"));
+        let curve = |spoil: &dyn Fn(&mut EndCurve)| {
+            let mut report = synthetic::with_ending();
+            let Outcome::Ran(measured) = &mut report.runs[1].outcome else { panic!("the synthetic SIMD run ran") };
+            spoil(&mut measured.ending.curves[0]);
+            check(&report).unwrap_err().to_string()
+        };
+        assert!(curve(&|c| c.y.value[7] = 0.0).contains("`energy` is drawn by powers of ten"));
+        assert!(curve(&|c| c.x.value.truncate(7)).contains("`y` has 59 entries where `x` has 7"));
+        assert!(curve(&|c| c.expected.as_mut().unwrap().y[0] = -1.0).contains("not above zero"));
+        assert!(curve(&|c| c.name = "../../etc".into()).contains("lower-case"));
         for name in ["../../etc", "Density", "", "velocity_x"] {
             let mut named = synthetic::report();
             named.fields[0].name = name.into();

@@ -3,10 +3,12 @@
 //! Physical quantities are in the scene's own units (each field names its unit), times of the machine in seconds or
 //! nanoseconds as the name says.
 
+mod ending;
 mod measured;
 mod profile;
 mod series;
 
+pub use ending::{CurveColumn, EndCurve, EndQuantity, Ending, ExpectedLine};
 pub use measured::{Conserved, FieldDifference, FieldError, Measurements, Norm, Outcome, Run, Speed, Stage, Tolerance};
 pub use profile::{Curve, CurveField, Profile, ProfileField, stratified};
 pub use series::{Series, SeriesQuantity};

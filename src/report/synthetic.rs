@@ -2,9 +2,9 @@
 //! seeded generator. No simulation behind it.
 
 use super::model::{
-    Conserved, Curve, CurveField, Field, FieldDifference, FieldError, FmaPeak, KernelApproximation, Machine,
-    Measurements, Norm, NormRange, Outcome, Profile, ProfileField, Report, Run, Scene, Series, Setting, Speed, Stage,
-    Tolerance, stratified,
+    Conserved, Curve, CurveColumn, CurveField, EndCurve, EndQuantity, Ending, ExpectedLine, Field, FieldDifference,
+    FieldError, FmaPeak, KernelApproximation, Machine, Measurements, Norm, NormRange, Outcome, Profile, ProfileField,
+    Report, Run, Scene, Series, Setting, Speed, Stage, Tolerance, stratified,
 };
 
 /// Names of the four fields.
@@ -107,6 +107,7 @@ fn measurements(level: f64, wall_seconds: f64, threads: u32, peak: Option<f64>) 
         time: 0.2,
         threads,
         wall_seconds,
+        operations_per_update: 24_000.0,
         bytes_per_particle: if level > 1e-9 { 212.0 } else { 384.0 },
         speed: Speed::new(particles, steps, wall_seconds, peak.map(|peak| (threads, peak)), Some(6210.0)),
         stages: share
@@ -137,6 +138,7 @@ fn measurements(level: f64, wall_seconds: f64, threads: u32, peak: Option<f64>) 
         arithmetic_difference: if level > 0.0 { (0..4).map(difference).collect() } else { vec![] },
         profile: Profile { selection: "800 of 110592 particles, evenly in x".into(), x, fields: columns },
         series: Series::default(),
+        ending: Ending::default(),
     }
 }
 
@@ -227,5 +229,50 @@ pub(super) fn complete() -> Report {
     let mut report = report();
     report.machine.adapter = Some("llvmpipe (LLVM 15.0.6, 256 bits), Vulkan".into());
     report.runs[3].outcome = Outcome::Ran(Box::new(measurements(9e-5, 63.0, 2, None)));
+    report
+}
+
+/// The same with an end of which one number is known and one is not, and with a curve: made up, a power law.
+pub(super) fn with_ending() -> Report {
+    let mut report = complete();
+    let quantity = |name: &str, value: Option<f64>, missing: Option<&str>| EndQuantity {
+        name: name.into(),
+        label: format!("the {name}"),
+        symbol: "k".into(),
+        unit: "L".into(),
+        expected: Some(-1.667),
+        expected_source: Some("Kolmogorov".into()),
+        value,
+        missing: missing.map(String::from),
+    };
+    let column = |name: &str, logarithmic, value| CurveColumn {
+        name: name.into(),
+        label: format!("label of {name}"),
+        unit: "L^-1".into(),
+        logarithmic,
+        value,
+    };
+    let x: Vec<f64> = (1..60).map(f64::from).collect();
+    for run in &mut report.runs {
+        if let Outcome::Ran(measured) = &mut run.outcome {
+            measured.ending = Ending {
+                quantities: vec![
+                    quantity("slope", Some(-1.5), None),
+                    quantity("peak", None, Some("too few particles")),
+                ],
+                curves: vec![EndCurve {
+                    name: "spectrum".into(),
+                    label: "spectrum of the velocity".into(),
+                    x: column("wave_number", true, x.clone()),
+                    y: column("energy", true, x.iter().map(|k| 0.01 * k.powf(-1.5)).collect()),
+                    expected: Some(ExpectedLine {
+                        source: "flat line".into(),
+                        x: vec![4.0, 10.0],
+                        y: vec![1e-3, 1e-3],
+                    }),
+                }],
+            };
+        }
+    }
     report
 }

@@ -1,7 +1,8 @@
 //! A checkpoint as a file, from which a run goes on bit for bit.
 //!
-//! HDF5 again, so that any tool shows what is in it: the dataset `header` is JSON ([`Settings`], time and step); `coordinates/0` and so on
-//! are the fixed-point coordinates; `fields/NAME` are the carried fields; `order` is the order in which the engine kept its particles.
+//! HDF5 again, so that any tool shows what is in it: the dataset `header` is JSON ([`Settings`], time, step and what the caller adds);
+//! `coordinates/0` and so on are the fixed-point coordinates; `fields/NAME` are the fields; `order` is the order in which the engine kept its
+//! particles.
 //! Every dataset carries the CRC-32 of its bytes. What was made by another version, another engine or with other settings is refused.
 
 use super::{SnapshotError, atomic};
@@ -11,14 +12,16 @@ use etalon_reference::engine::Arrangement;
 use etalon_reference::fields;
 use etalon_reference::passes::Physics;
 use etalon_reference::simulation::Checkpoint;
+use etalon_reference::turbulence::forcing::ForcingState;
 use hdf5_pure::{AttrValue, Dataset, DatasetBuilder, File, FileBuilder, GroupBuilder};
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// What the file says it is.
 const SCHEMA: &str = "etalon-restart";
 /// The version of its form.
-const SCHEMA_VERSION: u64 = 1;
+const SCHEMA_VERSION: u64 = 2;
 
 /// What a run was asked to do, as far as its bits depend on it: a restart file is taken only where all of it is the same.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -66,9 +69,9 @@ fn differing_part<'a>(a: &'a str, b: &'a str) -> (&'a str, &'a str) {
     parts(a).zip(parts(b)).find(|(a, b)| a != b).unwrap_or((a, b))
 }
 
-/// What stands in the dataset `header`.
+/// What stands in the dataset `header`; `T` is what the caller adds.
 #[derive(Serialize, Deserialize)]
-struct Header {
+struct Header<T> {
     settings: Settings,
     particles: u64,
     time: f64,
@@ -76,13 +79,44 @@ struct Header {
     steps: u64,
     searches: u64,
     ordered: bool,
+    forcing: Option<Force>,
+    beside: T,
 }
 
-/// Writes a restart file, complete or not at all: one that was there before is there until the new one takes its place.
+/// How a force stands.
+#[derive(Serialize, Deserialize)]
+struct Force {
+    amplitudes: Vec<f64>,
+    /// In hexadecimal: JSON has no whole numbers of 128 bits.
+    random: String,
+}
+
+impl From<&ForcingState> for Force {
+    fn from(state: &ForcingState) -> Self {
+        Force { amplitudes: state.amplitudes.clone(), random: format!("{:x}", state.random) }
+    }
+}
+
+impl TryFrom<Force> for ForcingState {
+    type Error = String;
+    fn try_from(force: Force) -> Result<Self, String> {
+        let random = u128::from_str_radix(&force.random, 16);
+        let random = random.map_err(|error| format!("the state of its random numbers is damaged ({error})"))?;
+        Ok(ForcingState { amplitudes: force.amplitudes, random })
+    }
+}
+
+/// Writes a restart file, complete or not at all: one that was there before is there until the new one takes its place. `beside` is what the
+/// caller wants back with it, numbers that are finite.
 ///
 /// # Errors
 /// [`SnapshotError`]: what the system refuses, or a time that is not finite.
-pub fn save(path: &Path, checkpoint: &Checkpoint, settings: &Settings) -> Result<(), SnapshotError> {
+pub fn save<T: Serialize>(
+    path: &Path,
+    checkpoint: &Checkpoint,
+    settings: &Settings,
+    beside: &T,
+) -> Result<(), SnapshotError> {
     let bad = |problem: String| SnapshotError::file(path, problem);
     if !(checkpoint.time.is_finite() && checkpoint.next_step.is_finite()) {
         return Err(bad(format!(
@@ -98,6 +132,8 @@ pub fn save(path: &Path, checkpoint: &Checkpoint, settings: &Settings) -> Result
         steps: checkpoint.steps,
         searches: checkpoint.arrangement.searches,
         ordered: !checkpoint.arrangement.order.is_empty(),
+        forcing: checkpoint.forcing.as_ref().map(Force::from),
+        beside,
     };
     let header = serde_json::to_vec(&header).map_err(|error| bad(format!("its header has no JSON form ({error})")))?;
     let mut file = FileBuilder::new();
@@ -135,17 +171,20 @@ fn signed(dataset: &mut DatasetBuilder, bytes: &[u8]) {
     dataset.set_attr("Crc32", AttrValue::U32(crc32fast::hash(bytes)));
 }
 
-/// Reads a restart file that was made with these settings, for so many dimensions.
+/// Reads a restart file that was made with these settings, for so many dimensions, and what its writer added.
 ///
 /// # Errors
 /// [`SnapshotError`] naming what is wrong and where: no restart file, another version, other settings, cut short or damaged.
-pub fn load<const D: usize>(path: &Path, settings: &Settings) -> Result<Checkpoint, SnapshotError> {
+pub fn load<const D: usize, T: DeserializeOwned>(
+    path: &Path,
+    settings: &Settings,
+) -> Result<(Checkpoint, T), SnapshotError> {
     let bad = |problem: String| SnapshotError::file(path, problem);
     let image = std::fs::read(path).map_err(SnapshotError::io("read", path))?;
     let size = image.len() as u64;
     let broken = |error| bad(format!("it cannot be read as HDF5 ({error}); was it cut short?"));
     let file = File::from_bytes(image).map_err(broken)?;
-    Reader { file, size }.checkpoint::<D>(settings).map_err(bad)
+    Reader { file, size }.checkpoint::<D, T>(settings).map_err(bad)
 }
 
 struct Reader {
@@ -154,7 +193,7 @@ struct Reader {
 }
 
 impl Reader {
-    fn checkpoint<const D: usize>(&self, settings: &Settings) -> Result<Checkpoint, String> {
+    fn checkpoint<const D: usize, T: DeserializeOwned>(&self, settings: &Settings) -> Result<(Checkpoint, T), String> {
         let own = self.file.root().attrs().map_err(|error| format!("its attributes cannot be read ({error})"))?;
         if own.get("Schema").and_then(AttrValue::as_str) != Some(SCHEMA) {
             return Err("it is no restart file of this program".into());
@@ -166,7 +205,7 @@ impl Reader {
             ));
         }
         let header = self.checked("header", None, |data| data.read_u8(), |n| n.to_le_bytes())?;
-        let header: Header =
+        let header: Header<T> =
             serde_json::from_slice(&header).map_err(|error| format!("its header is damaged ({error})"))?;
         if let Some(difference) = settings.difference(&header.settings) {
             return Err(format!("{difference}; resume with what the run was started with"));
@@ -190,14 +229,16 @@ impl Reader {
                 self.checked(&format!("fields/{name}"), count, |d| d.read_f64(), |x| x.to_bits().to_le_bytes())?;
             Ok((*component, values))
         };
-        Ok(Checkpoint {
+        let checkpoint = Checkpoint {
             coordinates: (0..D).map(coordinate).collect::<Result<_, _>>()?,
             columns: names.into_iter().map(column).collect::<Result<_, String>>()?,
             arrangement: Arrangement { order, searches: header.searches },
             time: header.time,
             steps: header.steps,
             next_step: header.next_step,
-        })
+            forcing: header.forcing.map(ForcingState::try_from).transpose()?,
+        };
+        Ok((checkpoint, header.beside))
     }
 
     /// A dataset whose size and checksum are right.

@@ -179,6 +179,8 @@ impl<T: Number, const D: usize> Engine<D> for LaneEngine<T, D> {
         Ok(())
     }
 
+    // Never inlined, so that optimised builds too take it from where it is compiled already (`instances.rs`).
+    #[inline(never)]
     fn run_pass<P: Pass<D>>(&mut self, pass: &P) -> Result<(), EngineError> {
         let start = Instant::now();
         let layout = self.layout(pass)?;
@@ -205,6 +207,7 @@ impl<T: Number, const D: usize> Engine<D> for LaneEngine<T, D> {
         Ok(())
     }
 
+    #[inline(never)]
     fn run_update<U: Update<D>>(&mut self, update: &U, time_step: f64) -> Result<(), EngineError> {
         let start = Instant::now();
         let footprint = Footprint::of_update::<D, U>();

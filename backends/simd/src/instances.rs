@@ -1,7 +1,7 @@
 //! Every combination of precision, dimension and pass, compiled here.
 //!
-//! The vector code of the passes is most of what there is to compile. Naming each combination once lets unoptimised builds of
-//! all programs and tests that use this crate share it, instead of compiling it again in each.
+//! The vector code of the passes is most of what there is to compile. Naming each combination once lets all programs and tests that
+//! use this crate share it, instead of compiling it again in each; optimised builds do so for functions that are never inlined.
 
 use crate::engine::LaneEngine;
 use etalon_reference::engine::{Engine, EngineError};

@@ -8,8 +8,8 @@
 #![forbid(unsafe_code)]
 
 mod engine;
-// Fully optimised builds do not share generic code between crates, so there it would only be compiled twice.
-#[cfg(all(debug_assertions, not(test)))]
+// The tests of this crate need few of them.
+#[cfg(not(test))]
 #[doc(hidden)]
 pub mod instances;
 pub mod neighbours;

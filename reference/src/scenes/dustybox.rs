@@ -4,7 +4,7 @@
 //! they begin at the same places, as those of the paper's shock tube do.
 
 use super::gas_and_dust::{
-    DustySceneError, KERNEL, check_neighbours, enough_across, lattice, mixture, usual_neighbours,
+    DustySceneError, KERNEL, check_neighbours, enough_across, lattice, mixture, physics, usual_neighbours,
 };
 use crate::domain::Domain;
 use crate::equations::reconstruction::smoothing_length_holding;
@@ -12,7 +12,7 @@ use crate::exact::dust::Mixture;
 use crate::exact::dustybox;
 use crate::particles::{Particle, ParticleError, ParticleSet};
 use crate::passes::Physics;
-use crate::schemes::{Dissipation, Drag, GradH, Kernel, Viscosity};
+use crate::schemes::{Dissipation, Drag, Kernel};
 
 /// When to look: the difference has fallen to a quarter.
 pub const END_TIME: f64 = 2.0;
@@ -69,15 +69,7 @@ impl DustyBox {
 
     /// The physics of all passes.
     pub fn physics(&self) -> Physics {
-        Physics {
-            kernel: self.kernel,
-            grad_h: GradH::Corrected,
-            viscosity: Viscosity::of(self.dissipation),
-            gamma_minus_one: self.gamma - 1.0,
-            neighbours: self.neighbours,
-            drag: Some(self.drag),
-            ..Physics::STANDARD
-        }
+        physics(self.kernel, self.neighbours, self.dissipation, self.gamma, self.drag)
     }
 
     /// The exact solution.

@@ -8,7 +8,7 @@
 //! The tube runs from 0 to 1, the paper's from -0.5 to 0.5.
 
 use super::Tube;
-use super::gas_and_dust::{DustySceneError, KERNEL, check_neighbours, mixture, usual_neighbours};
+use super::gas_and_dust::{DustySceneError, KERNEL, check_neighbours, mixture, physics, usual_neighbours};
 use super::lattice::wall_depth;
 use crate::domain::Domain;
 use crate::equations::reconstruction::smoothing_length_holding;
@@ -17,7 +17,7 @@ use crate::exact::dustyshock;
 use crate::exact::riemann::{RiemannProblem, State};
 use crate::particles::{Particle, ParticleError, ParticleSet};
 use crate::passes::Physics;
-use crate::schemes::{Dissipation, Drag, GradH, Kernel, Viscosity};
+use crate::schemes::{Dissipation, Drag, Kernel};
 
 /// Where the two sides meet.
 pub const INTERFACE: f64 = 0.5;
@@ -67,15 +67,7 @@ impl DustyShock {
 
     /// The physics of all passes.
     pub fn physics(&self) -> Physics {
-        Physics {
-            kernel: self.kernel,
-            grad_h: GradH::Corrected,
-            viscosity: Viscosity::of(self.dissipation),
-            gamma_minus_one: self.gamma - 1.0,
-            neighbours: self.neighbours,
-            drag: Some(self.drag),
-            ..Physics::STANDARD
-        }
+        physics(self.kernel, self.neighbours, self.dissipation, self.gamma, self.drag)
     }
 
     /// The exact solution of instant coupling, whose densities are those of gas and dust together.

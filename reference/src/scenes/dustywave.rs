@@ -9,7 +9,7 @@
 //!   10^-6 and 1024 particles that is noise of a tenth of the wave. A lattice of a power of two lies on that grid exactly.
 
 use super::gas_and_dust::{
-    DustySceneError, KERNEL, check_neighbours, enough_across, lattice, mixture, usual_neighbours,
+    DustySceneError, KERNEL, check_neighbours, enough_across, lattice, mixture, physics, usual_neighbours,
 };
 use crate::domain::Domain;
 use crate::equations::reconstruction::smoothing_length_holding;
@@ -18,7 +18,7 @@ use crate::exact::dustywave;
 use crate::exact::dustywave::Disturbance;
 use crate::particles::{Particle, ParticleError, ParticleSet};
 use crate::passes::Physics;
-use crate::schemes::{Dissipation, Drag, GradH, Kernel, Viscosity};
+use crate::schemes::{Dissipation, Drag, Kernel};
 use std::f64::consts::TAU;
 
 /// When the paper looks, as we read its ten periods.
@@ -77,15 +77,7 @@ impl DustyWave {
 
     /// The physics of all passes.
     pub fn physics(&self) -> Physics {
-        Physics {
-            kernel: self.kernel,
-            grad_h: GradH::Corrected,
-            viscosity: Viscosity::of(self.dissipation),
-            gamma_minus_one: self.gamma - 1.0,
-            neighbours: self.neighbours,
-            drag: Some(self.drag),
-            ..Physics::STANDARD
-        }
+        physics(self.kernel, self.neighbours, self.dissipation, self.gamma, self.drag)
     }
 
     /// The exact solution, to be asked with [`initial`](Self::initial).

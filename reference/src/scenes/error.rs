@@ -4,8 +4,10 @@ use super::{Definition, GlassError};
 use crate::diagnostics::entropy::EntropyError;
 use crate::diagnostics::mode_amplitude::AmplitudeError;
 use crate::domain::DomainError;
+use crate::engine::EngineError;
 use crate::norms::NormError;
 use crate::particles::ParticleError;
+use crate::turbulence::TurbulenceError;
 
 /// What is wrong with the choices; each says what to give instead.
 #[derive(Debug, thiserror::Error)]
@@ -78,6 +80,18 @@ pub enum SceneError {
     /// The entropy cannot.
     #[error(transparent)]
     Entropy(#[from] EntropyError),
+    /// What is measured on turbulence cannot.
+    #[error(transparent)]
+    Turbulence(#[from] TurbulenceError),
+    /// A sweep that measuring takes cannot be made.
+    #[error("cannot sweep over the particles once more: {0}")]
+    Engine(#[from] EngineError),
+    /// A state without a field that its scene measures.
+    #[error("the state has no {field}: read it with State::read_for, which reads what the scene asks for")]
+    Unread {
+        /// Which field.
+        field: &'static str,
+    },
 }
 
 impl SceneError {

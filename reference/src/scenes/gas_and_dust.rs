@@ -6,7 +6,8 @@ use crate::equations::reconstruction::{smoothing_length_holding, support_volume}
 use crate::exact::dust::DustError;
 use crate::exact::riemann::RiemannError;
 use crate::particles::{Particle, ParticleError, ParticleSet};
-use crate::schemes::Kernel;
+use crate::passes::Physics;
+use crate::schemes::{Dissipation, Drag, GradH, Kernel, Viscosity};
 
 /// The smoothing length in spacings. PL20 states none; it is what PHANTOM takes with this kernel.
 const LENGTH_IN_SPACINGS: f64 = 1.0;
@@ -60,6 +61,19 @@ pub(super) fn check_neighbours(given: f64, dimension: usize) -> Result<(), Dusty
         Ok(())
     } else {
         Err(DustySceneError::Neighbours { given, dimension, least, most })
+    }
+}
+
+/// The physics of all passes, with what PL20 leaves open as in the other scenes.
+pub(super) fn physics(kernel: Kernel, neighbours: f64, dissipation: Dissipation, gamma: f64, drag: Drag) -> Physics {
+    Physics {
+        kernel,
+        neighbours,
+        grad_h: GradH::Corrected,
+        viscosity: Viscosity::of(dissipation),
+        gamma_minus_one: gamma - 1.0,
+        drag: Some(drag),
+        ..Physics::STANDARD
     }
 }
 

@@ -1,8 +1,8 @@
 //! Shock tubes with any two gases, and the two hard ones among Toro's: a jump of 10^5 in pressure, and gases that fly apart until next to nothing is left.
 
-use super::scene::{Description, GivenMomentum, Glasses, Measured, Scene, Solution};
+use super::scene::{Description, GivenMomentum, Glasses, Measured, Quantity, Scene, Solution};
 use super::shock_tube::ShockTube;
-use super::{Definition, Method, SceneError, View};
+use super::{AtEnd, Course, Definition, Method, SceneError, View};
 use crate::exact::riemann::State;
 use crate::particles::ParticleSet;
 use crate::passes::Physics;
@@ -201,6 +201,12 @@ impl<K: Kind, const D: usize> Scene<D> for GasTube<K> {
     }
     fn given_momentum(&self, time: f64) -> GivenMomentum {
         self.tube().given_momentum::<D>(time)
+    }
+    fn quantities_at_end(&self) -> Vec<Quantity> {
+        self.tube().quantities_at_end()
+    }
+    fn at_end(&self, course: &Course) -> Result<AtEnd, SceneError> {
+        self.tube().at_end(course.end)
     }
     fn description(&self) -> Description {
         let pair = |of: fn(Gas) -> f64| format!("{}, {}", of(self.left), of(self.right));

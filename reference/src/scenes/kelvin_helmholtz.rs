@@ -5,14 +5,16 @@
 
 use super::layers::{Layer, check_room, fill};
 use super::scene::{Description, GivenMomentum, Glasses, Measured, Quantity, Scene, Solution};
-use super::{Block, Definition, Method, SceneError, State, View};
+use super::{AtEnd, Block, Course, Definition, Method, SceneError, State, View};
 use crate::diagnostics::mode_amplitude::{ShearColumns, mode_amplitude};
+use crate::diagnostics::sign_reversal::reversed_shares;
 use crate::domain::Domain;
 use crate::equations::initial_state::kelvin_helmholtz::{
     Contact, DENSITY, PRESSURE, SEED, VELOCITY, WAVELENGTH, WIDTH, kelvin_helmholtz,
 };
 use crate::particles::{Particle, ParticleSet};
 use crate::passes::Physics;
+use crate::pipeline::PassKind;
 use etalon_kernels_gen::Vector;
 use serde::{Deserialize, Serialize};
 
@@ -179,6 +181,28 @@ impl<const D: usize> Scene<D> for KelvinHelmholtz {
         let amplitude =
             mode_amplitude(ShearColumns { x, y, velocity_y: &state.velocity[1], volume: &volume }, WAVELENGTH)?;
         Ok(vec![amplitude, state.kinetic_energy_along(1)])
+    }
+    /// Where nothing is reconstructed, no sign is turned.
+    fn quantities_at_end(&self) -> Vec<Quantity> {
+        if !self.method.viscosity.dissipation.reconstructs() {
+            return Vec::new();
+        }
+        let quantity = |name, label| Quantity { name, label, symbol: "", unit: "", expected: None };
+        vec![
+            quantity("sign_reversals", "share of the pairs whose velocity of approach reconstruction turns round"),
+            quantity("sign_reversals_approaching", "the same of the pairs that approach"),
+        ]
+    }
+    fn at_end(&self, course: &Course) -> Result<AtEnd, SceneError> {
+        if !self.method.viscosity.dissipation.reconstructs() {
+            return Ok(AtEnd::default());
+        }
+        let Block { lower, upper } = self.between::<D>(0.0, 1.0);
+        let physics = Scene::<D>::physics(self);
+        let domain = Domain::new(lower, upper, [true; D])?;
+        let mut engine = course.end.swept(domain, physics, PassKind::VelocityGradients)?;
+        let shares = reversed_shares(&mut engine, physics)?;
+        Ok(AtEnd { values: vec![Ok(shares.of_all), Ok(shares.of_approaching)], curves: Vec::new() })
     }
     fn description(&self) -> Description {
         let start = match self.contact {

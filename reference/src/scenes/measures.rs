@@ -2,7 +2,7 @@
 
 use super::scene::Solution;
 use super::{SceneError, State, View};
-use crate::diagnostics::entropy::{ColdGas, GasColumns, entropy_changes};
+use crate::diagnostics::entropy::{ColdGas, EntropyChanges, GasColumns, entropy_changes};
 use crate::domain::{Domain, separation};
 use crate::engine::PlainNeighbours;
 use crate::norms::l1_error;
@@ -85,6 +85,19 @@ impl State {
     /// # Errors
     /// States of different particles; no warm particle; a state that is not finite.
     pub fn entropy_gain(&self, start: &State, gamma_minus_one: f64, floor: f64) -> Result<f64, SceneError> {
+        Ok(self.entropy_changes(start, gamma_minus_one, floor)?.mean)
+    }
+
+    /// The same, particle by particle.
+    ///
+    /// # Errors
+    /// As [`Self::entropy_gain`].
+    pub fn entropy_changes(
+        &self,
+        start: &State,
+        gamma_minus_one: f64,
+        floor: f64,
+    ) -> Result<EntropyChanges, SceneError> {
         let columns = |state: &State| {
             let pick = |column: &[f64]| self.moving().filter_map(|i| column.get(i).copied()).collect::<Vec<f64>>();
             (pick(&state.internal_energy), pick(&state.density))
@@ -92,7 +105,7 @@ impl State {
         let ((u_0, rho_0), (u, rho)) = (columns(start), columns(self));
         let gas = |energy, density| GasColumns { energy, density };
         let cold = ColdGas::Excluded { floor };
-        Ok(entropy_changes(gas(&u_0, &rho_0), gas(&u, &rho), gamma_minus_one, cold)?.mean)
+        Ok(entropy_changes(gas(&u_0, &rho_0), gas(&u, &rho), gamma_minus_one, cold)?)
     }
 
     /// The root of the mean square of a number by particle, over those that move; zero where none does.
@@ -146,6 +159,7 @@ mod tests {
             mass: vec![2.0; 3],
             mobility: vec![1.0, 1.0, 0.0],
             species: Vec::new(),
+            further: Vec::new(),
         }
     }
 

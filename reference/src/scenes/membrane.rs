@@ -3,6 +3,8 @@
 //! The paper states the cylinder's radius and length, the period, the largest velocity, the gas, the box and the number of particles. It does not
 //! state how the oscillation starts, what the cylinder is made of, nor how particles are laid out; `docs/membrane.md` says what was taken.
 
+mod symmetry;
+
 use super::scene::{Description, GivenMomentum, Glasses, Measured, Quantity, Scene, Solution};
 use super::{Block, Definition, Method, SceneError, State, View};
 use crate::domain::Domain;
@@ -10,6 +12,7 @@ use crate::equations::equation_of_state::sound_speed;
 use crate::exact::finite_volume::{End, FiniteVolume};
 use crate::exact::outgoing_wave::OutgoingWave;
 use crate::exact::riemann::State as Gas;
+use crate::norms::mean;
 use crate::particles::{Particle, ParticleSet};
 use crate::passes::{Driver, Physics};
 use crate::schemes::Viscosity;
@@ -282,6 +285,7 @@ impl<const D: usize> Scene<D> for Membrane {
     }
     fn quantities(&self) -> Vec<Quantity> {
         let quantity = |name, label, symbol, unit, expected| Quantity { name, label, symbol, unit, expected };
+        let round = "the wave is round";
         let faint = "linear acoustics, where the wave is faint";
         vec![
             quantity("kinetic_energy", "kinetic energy of the gas", "E_kin", "M L^2 T^-2", None),
@@ -292,13 +296,33 @@ impl<const D: usize> Scene<D> for Membrane {
                 "",
                 Some((0.0, faint)),
             ),
+            quantity("entropy_scatter", "scatter of that change", "σ(ΔS)/c_v", "", Some((0.0, faint))),
+            quantity(
+                "azimuthal_velocity",
+                "velocity around the cylinder, over the largest of its surface",
+                "σ(v_φ)/v_m",
+                "",
+                Some((0.0, round)),
+            ),
+            quantity(
+                "radial_scatter",
+                "scatter of the radial velocity at one radius, over the same",
+                "σ(v_r)/v_m",
+                "",
+                Some((0.0, round)),
+            ),
         ]
     }
     fn observe(&self, state: &State) -> Result<Vec<f64>, SceneError> {
         Scene::<D>::observe_since(self, state, state)
     }
     fn observe_since(&self, start: &State, now: &State) -> Result<Vec<f64>, SceneError> {
-        Ok(vec![now.kinetic_energy(), now.entropy_gain(start, self.gamma - 1.0, 0.0)?])
+        let gain = now.entropy_changes(start, self.gamma - 1.0, 0.0)?;
+        let off: Vec<f64> = gain.changes.iter().flatten().map(|change| (change - gain.mean).powi(2)).collect();
+        let scatter = mean(off.into_iter()).sqrt();
+        let (around, radial) = symmetry::roundness(now, AXIS, Scene::<D>::measured(self, now.time).range);
+        let (around, radial) = (around / self.velocity, radial / self.velocity);
+        Ok(vec![now.kinetic_energy(), gain.mean, scatter, around, radial])
     }
     fn description(&self) -> Description {
         Description {

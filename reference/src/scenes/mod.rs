@@ -1,10 +1,12 @@
 //! The problems that are run: initial state, boundaries, physics, end time and what to compare with.
 
+mod again;
 pub mod double_blast;
 pub mod dusty;
 pub mod dustybox;
 pub mod dustyshock;
 pub mod dustywave;
+mod ending;
 mod error;
 pub mod even_gas;
 mod filling;
@@ -21,6 +23,7 @@ pub mod membrane;
 mod method;
 pub mod mirror;
 pub mod noh;
+mod plateau;
 mod problem;
 pub mod rayleigh_taylor;
 mod scene;
@@ -33,6 +36,7 @@ pub mod turbulence;
 mod view;
 pub mod wind_cloud;
 
+pub use ending::{AtEnd, Axis, Course, Curve, Expected};
 pub use error::SceneError;
 pub use filling::{Block, Filling};
 pub use gas_and_dust::DustySceneError;

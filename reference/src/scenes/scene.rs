@@ -1,9 +1,10 @@
 //! What every scene is asked.
 
-use super::{GlassError, Method, SceneError, State, View};
+use super::{AtEnd, Course, GlassError, Method, SceneError, State, View};
 use crate::particles::ParticleSet;
 use crate::passes::Physics;
 use crate::turbulence::forcing::Forcing;
+use etalon_kernels_gen::Field;
 
 /// Gives a relaxed periodic cube of `across^D` particles.
 pub type Glasses<'a, const D: usize> = dyn FnMut(usize) -> Result<Vec<[f64; D]>, GlassError> + 'a;
@@ -49,6 +50,19 @@ pub trait Scene<const D: usize>: Send + Sync {
     fn observe_since(&self, start: &State, now: &State) -> Result<Vec<f64>, SceneError> {
         let _ = start;
         self.observe(now)
+    }
+    /// Scalar fields beside a state's usual ones that measuring asks for; [`State::read_for`] reads them.
+    fn further_fields(&self) -> &'static [Field] {
+        &[]
+    }
+    /// What is measured at the end alone.
+    fn quantities_at_end(&self) -> Vec<Quantity> {
+        Vec::new()
+    }
+    /// The values of the [`Self::quantities_at_end`], in their order, and curves.
+    fn at_end(&self, course: &Course) -> Result<AtEnd, SceneError> {
+        let _ = course;
+        Ok(AtEnd::default())
     }
     /// In words, for the report.
     fn description(&self) -> Description;

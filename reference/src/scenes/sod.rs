@@ -1,8 +1,8 @@
 //! Sod's shock tube (GS25 section 3.1): two gases at rest, eight times denser and ten times the pressure on the left.
 
-use super::scene::{Description, GivenMomentum, Glasses, Measured, Scene, Solution};
+use super::scene::{Description, GivenMomentum, Glasses, Measured, Quantity, Scene, Solution};
 use super::shock_tube::ShockTube;
-use super::{Definition, GlassError, Method, SceneError, View};
+use super::{AtEnd, Course, Definition, GlassError, Method, SceneError, View};
 use crate::equations::initial_state::smoothed_pressure;
 use crate::exact::riemann::{RiemannProblem, State};
 use crate::particles::{Particle, ParticleSet};
@@ -193,6 +193,12 @@ impl<const D: usize> Scene<D> for Sod {
     }
     fn given_momentum(&self, time: f64) -> GivenMomentum {
         self.tube().given_momentum::<D>(time)
+    }
+    fn quantities_at_end(&self) -> Vec<Quantity> {
+        self.tube().quantities_at_end()
+    }
+    fn at_end(&self, course: &Course) -> Result<AtEnd, SceneError> {
+        self.tube().at_end(course.end)
     }
     fn description(&self) -> Description {
         let pair = |[left, right]: [f64; 2]| format!("{left}, {right}");

@@ -1,10 +1,10 @@
 //! What a simulation holds at one moment, as plain columns.
 
-use super::View;
+use super::{Scene, SceneError, View};
 use crate::domain::Domain;
 use crate::engine::{Engine, EngineError};
 use crate::fields;
-use etalon_kernels_gen::Component;
+use etalon_kernels_gen::{Component, Field};
 
 /// All particles at one moment, in their original order.
 #[derive(Clone, Debug)]
@@ -29,6 +29,8 @@ pub struct State {
     pub mobility: Vec<f64>,
     /// Zero for gas, one for dust; empty where there is gas only.
     pub species: Vec<f64>,
+    /// What a scene asks for besides; empty for most.
+    pub further: Vec<(Field, Vec<f64>)>,
 }
 
 impl State {
@@ -53,7 +55,31 @@ impl State {
             mobility: engine.read_scalar(fields::MOBILITY)?,
             // An engine that was made without the field has none to read.
             species: engine.read_scalar(fields::SPECIES).unwrap_or_default(),
+            further: Vec::new(),
         })
+    }
+
+    /// The same with what a scene asks for besides.
+    pub fn read_for<const D: usize, E: Engine<D>>(
+        scene: &dyn Scene<D>,
+        engine: &mut E,
+        domain: &Domain<D>,
+        time: f64,
+    ) -> Result<Self, EngineError> {
+        let mut state = Self::read(engine, domain, time)?;
+        for &field in scene.further_fields() {
+            state.further.push((field, engine.read_scalar(field)?));
+        }
+        Ok(state)
+    }
+
+    /// A field that a scene asked for.
+    ///
+    /// # Errors
+    /// It was not read.
+    pub fn further(&self, field: Field) -> Result<&[f64], SceneError> {
+        let found = self.further.iter().find(|(of, _)| *of == field);
+        found.map(|(_, column)| column.as_slice()).ok_or(SceneError::Unread { field: field.name })
     }
 
     /// How many particles there are.

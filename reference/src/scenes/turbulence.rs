@@ -3,14 +3,19 @@
 //! Box, density, sound speed, the range of waves and the Mach number are the papers'; the strength of the driving, its memory and the end time are those
 //! of SPH-EXA, with which both papers ran it. `docs/turbulence.md` has the table.
 
+pub mod ending;
+
 use super::scene::{Description, GivenMomentum, Glasses, Measured, Quantity, Scene, Solution};
-use super::{Block, Definition, Method, SceneError, State, View};
+use super::{AtEnd, Block, Course, Definition, Method, SceneError, State, View};
 use crate::domain::Domain;
 use crate::equations::equation_of_state::sound_speed;
+use crate::fields;
+use crate::norms::mean;
 use crate::particles::{Particle, ParticleSet};
 use crate::passes::Physics;
 use crate::schemes::{ModeWeights, Profile};
 use crate::turbulence::forcing::{Driving, Forcing};
+use etalon_kernels_gen::Field;
 use serde::{Deserialize, Serialize};
 
 /// The side of the periodic box (C25 section 2).
@@ -158,14 +163,53 @@ impl<const D: usize> Scene<D> for Turbulence {
             ),
             quantity("density_scatter", "scatter of the density", "σ(ρ)/ρ", None),
             quantity("heating", "change of the internal energy over that of the start", "ΔU/U", None),
+            quantity("grad_h_mean", "mean of the grad-h factor", "⟨Ω⟩", Some((1.0, "C25 appendix B"))),
+            quantity(
+                "grad_h_scatter",
+                "standard deviation of the grad-h factor",
+                "σ(Ω)",
+                Some((0.0, "C25 appendix B")),
+            ),
         ]
+    }
+    fn further_fields(&self) -> &'static [Field] {
+        &[fields::GRAD_H]
     }
     fn observe(&self, state: &State) -> Result<Vec<f64>, SceneError> {
         let speed = |i: usize| state.quickness(i) / sound_speed(GAMMA_MINUS_ONE, state.internal_energy[i]);
         // All masses are equal: a mean over particles is one over mass.
         let mach = state.root_mean_square(speed);
         let start = INTERNAL_ENERGY * DENSITY * SIDE.powi(state.position.len() as i32);
-        Ok(vec![mach, state.scatter(&state.density, DENSITY), state.thermal_energy() / start - 1.0])
+        let omega = state.further(fields::GRAD_H)?;
+        let omega_mean = mean(omega.iter().copied());
+        let omega_scatter = state.root_mean_square(|i| omega[i] - omega_mean);
+        let heating = state.thermal_energy() / start - 1.0;
+        Ok(vec![mach, state.scatter(&state.density, DENSITY), heating, omega_mean, omega_scatter])
+    }
+    /// Slopes are known of turbulence in three dimensions.
+    fn quantities_at_end(&self) -> Vec<Quantity> {
+        let known = |value: f64, source| if D == 3 { Some((value, source)) } else { None };
+        let quantity = |name, label, symbol, unit, expected| Quantity { name, label, symbol, unit, expected };
+        vec![
+            quantity("k_max", "waves a side at the bottleneck", "k_max", "", None),
+            quantity(
+                "spectrum_slope",
+                "slope of the velocity's spectrum from k = 4 to 10",
+                "d ln E/d ln k",
+                "",
+                known(-ending::KOLMOGOROV, "Kolmogorov; C25 section 3"),
+            ),
+            quantity(
+                "mach_slope",
+                "slope of the Mach number from a tenth to a quarter of the side",
+                "d ln M/d ln l",
+                "",
+                known(ending::MACH_POWER, "Kolmogorov; C25 appendix C"),
+            ),
+        ]
+    }
+    fn at_end(&self, course: &Course) -> Result<AtEnd, SceneError> {
+        ending::at_end::<D>(course.end, self.seed)
     }
     fn description(&self) -> Description {
         Description {

@@ -4,7 +4,7 @@
 //! box: it is periodic here, and the wind comes around after 11 units of time.
 
 use super::scene::{Description, GivenMomentum, Glasses, Measured, Quantity, Scene, Solution};
-use super::{Block, Definition, Method, SceneError, State, View};
+use super::{AtEnd, Block, Course, Definition, Method, SceneError, State, View};
 use crate::diagnostics::cloud_mass::CloudAndWind;
 use crate::domain::Domain;
 use crate::equations::initial_state::wind_cloud::{
@@ -24,6 +24,9 @@ pub const GROWTH_TIME: f64 = 2.9;
 const LAST_LOOK: f64 = 2.0;
 /// The adiabatic index (GS25 section 3).
 const GAMMA: f64 = 5.0 / 3.0;
+/// When the paper takes the rate (GS25 Tables 5, 7), in growth times; and within how much time of it, which the paper does not say.
+const RATE_AT: f64 = 1.8;
+const RATE_WITHIN: f64 = 0.5;
 /// Fewer show no cloud: it has a hundredth of the volume and ten times the density.
 const LEAST: usize = 2_000;
 
@@ -184,6 +187,25 @@ impl<const D: usize> Scene<D> for WindCloud {
     fn observe_since(&self, start: &State, now: &State) -> Result<Vec<f64>, SceneError> {
         let (before, left) = (self.cloud_mass(start), self.cloud_mass(now));
         Ok(vec![if before > 0.0 { left / before } else { 0.0 }, left])
+    }
+    fn quantities_at_end(&self) -> Vec<Quantity> {
+        vec![Quantity {
+            name: "destruction_rate",
+            label: "change of the share of the cloud in a unit of time, at 1.8 growth times",
+            symbol: "Ṁ/M₀",
+            unit: "T^-1",
+            expected: None,
+        }]
+    }
+    fn at_end(&self, course: &Course) -> Result<AtEnd, SceneError> {
+        let at = RATE_AT * GROWTH_TIME;
+        // Half of the window is no rate at its middle.
+        let over = course.time.last().is_some_and(|last| *last >= at + RATE_WITHIN);
+        let fraction = course.values.first().filter(|_| over);
+        let rate = fraction.and_then(|fraction| destruction_rate(course.time, fraction, at, RATE_WITHIN));
+        let (from, to) = (at - RATE_WITHIN, at + RATE_WITHIN);
+        let none = || format!("the share was not measured twice from t = {from} to {to}, and beyond: run until then");
+        Ok(AtEnd { values: vec![rate.ok_or_else(none)], curves: Vec::new() })
     }
     fn description(&self) -> Description {
         let speed = match self.wind {

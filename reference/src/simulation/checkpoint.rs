@@ -1,23 +1,23 @@
 //! A run between two steps, as plain numbers from which it can go on bit for bit.
 
-use super::{Simulation, Stirring};
+use super::Simulation;
 use crate::engine::{Arrangement, Engine, EngineError};
-use crate::passes::Physics;
-use crate::pipeline::Pipeline;
-use crate::turbulence::forcing::Forcing;
-use etalon_kernels_gen::{Component, components};
+use crate::fields;
+use crate::turbulence::forcing::ForcingState;
+use etalon_kernels_gen::{Component, Field, components};
 
-/// All that the next step depends on, and nothing that it computes anew.
-///
-/// Derived quantities, such as the density, are not among it: after [`Simulation::resume`] they are there again with the first step.
+/// All that the next step depends on, what stirs the gas included, and what is looked at between steps ([`fields::SHOWN`]).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checkpoint {
     /// Fixed-point coordinates, axis by axis, in the particles' original order.
     pub coordinates: Vec<Vec<u64>>,
-    /// The fields of [`Pipeline::carried`], component by component, in the particles' original order.
+    /// The fields of [`Pipeline::carried`](crate::pipeline::Pipeline::carried) and those that are shown, component by component, in the particles'
+    /// original order.
     pub columns: Vec<(Component, Vec<f64>)>,
     /// How the engine keeps its particles.
     pub arrangement: Arrangement,
+    /// How the force that stirs the gas stands; none where nothing does.
+    pub forcing: Option<ForcingState>,
     /// The time reached.
     pub time: f64,
     /// How many steps that took.
@@ -27,59 +27,41 @@ pub struct Checkpoint {
 }
 
 impl<const D: usize, E: Engine<D>> Simulation<D, E> {
-    /// What it takes to go on from here later.
+    /// What it takes to go on from here later, with what is `shown` beside [`fields::SHOWN`].
     ///
     /// # Errors
     /// Whatever reading from the engine gives.
-    pub fn checkpoint(&mut self) -> Result<Checkpoint, EngineError> {
+    pub fn checkpoint(&mut self, shown: &[Field]) -> Result<Checkpoint, EngineError> {
+        let (mut kept, all) = (self.pipeline.carried::<D>(), self.pipeline.fields::<D>());
+        for field in fields::SHOWN.iter().chain(shown) {
+            if all.contains(field) && !kept.contains(field) {
+                kept.push(*field);
+            }
+        }
         let read = |component| Ok((component, self.engine.read(component)?));
-        let columns = components(&self.pipeline.carried::<D>(), D).into_iter().map(read);
-        let columns = columns.collect::<Result<_, EngineError>>()?;
+        let columns = components(&kept, D).into_iter().map(read).collect::<Result<_, EngineError>>()?;
         Ok(Checkpoint {
             coordinates: (0..D).map(|axis| self.engine.coordinates(axis)).collect::<Result<_, _>>()?,
             columns,
             arrangement: self.engine.arrangement(),
+            forcing: self.forcing.as_ref().map(|stirring| stirring.force.state()),
             time: self.time,
             steps: self.steps,
             next_step: self.next_step,
         })
     }
 
-    /// Goes on from a checkpoint, on an engine made like the one it was taken from: from then on every bit is as if the run had never been
-    /// interrupted. The engine's particles need only be as many; all they carry from step to step is replaced.
+    /// Goes on from a checkpoint, in a simulation that was started like the one it was taken from: from then on every bit is as if that run had
+    /// never been interrupted. Particles and force need only be of the same kind and number; all they carry from step to step is replaced.
     ///
     /// # Errors
     /// A checkpoint of other dimensions, of another number of particles, without a field that this physics carries, of another kind of
-    /// engine, or with a time that is none; whatever writing to the engine gives.
-    pub fn resume(engine: E, physics: Physics, checkpoint: &Checkpoint) -> Result<Self, EngineError> {
-        if physics.forced {
-            return Err(EngineError(
-                "the run is stirred by a force; resume it with that force as it stood".to_string(),
-            ));
-        }
-        Self::resumed(engine, physics, checkpoint)
-    }
-
-    /// The same for a run that a force stirs, which must stand as it stood ([`Forcing::restore`]).
-    ///
-    /// # Errors
-    /// As [`Self::resume`], and for a physics that is not forced.
-    pub fn resume_with_forcing(
-        engine: E,
-        physics: Physics,
-        checkpoint: &Checkpoint,
-        force: Forcing<D>,
-    ) -> Result<Self, EngineError> {
-        let mut simulation = Self::resumed(engine, physics, checkpoint)?;
-        simulation.forcing = Some(Stirring::new(&mut simulation.engine, force)?);
-        Ok(simulation)
-    }
-
-    fn resumed(mut engine: E, physics: Physics, checkpoint: &Checkpoint) -> Result<Self, EngineError> {
-        let pipeline = Pipeline::of_scene::<D>(&physics);
+    /// engine, of a run that is stirred where this is not or the other way round, or with a time that is none; whatever writing to the engine
+    /// gives. What was refused half-way leaves a simulation that is of no more use.
+    pub fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), EngineError> {
         let refused = |what: String| Err(EngineError(format!("the checkpoint {what}")));
-        let count = engine.particle_count();
-        let Checkpoint { time, next_step, .. } = *checkpoint;
+        let count = self.engine.particle_count();
+        let Checkpoint { time, next_step, steps, .. } = *checkpoint;
         if checkpoint.coordinates.len() != D {
             return refused(format!("is of a run in {} dimensions, not in {D}", checkpoint.coordinates.len()));
         }
@@ -91,19 +73,24 @@ impl<const D: usize, E: Engine<D>> Simulation<D, E> {
                 "is of time {time} with a next step of {next_step}; both must be finite numbers from 0 on"
             ));
         }
-        engine.arrange(&checkpoint.arrangement)?;
+        let has = |wanted: &Component| checkpoint.columns.iter().any(|(saved, _)| saved == wanted);
+        if let Some(lost) = components(&self.pipeline.carried::<D>(), D).into_iter().find(|wanted| !has(wanted)) {
+            return refused(format!("has no {}, which this physics carries on", lost.name(D)));
+        }
+        match (&mut self.forcing, &checkpoint.forcing) {
+            (None, None) => {}
+            (Some(stirring), Some(state)) => stirring.force.restore(state).map_err(EngineError::from_display)?,
+            (Some(_), None) => return refused("is of a run that no force stirs".into()),
+            (None, Some(_)) => return refused("is of a run that a force stirs; start this one with the force".into()),
+        }
+        self.engine.arrange(&checkpoint.arrangement)?;
         for (axis, column) in checkpoint.coordinates.iter().enumerate() {
-            engine.place(axis, column)?;
+            self.engine.place(axis, column)?;
         }
-        for component in components(&pipeline.carried::<D>(), D) {
-            match checkpoint.columns.iter().find(|(saved, _)| *saved == component) {
-                Some((_, values)) => engine.write(component, values)?,
-                None => {
-                    return refused(format!("has no {}, which this physics carries on", component.name(D)));
-                }
-            }
+        for (component, values) in &checkpoint.columns {
+            self.engine.write(*component, values)?;
         }
-        let steps = checkpoint.steps;
-        Ok(Simulation { engine, physics, pipeline, time, steps, next_step, forcing: None })
+        (self.time, self.steps, self.next_step) = (time, steps, next_step);
+        Ok(())
     }
 }

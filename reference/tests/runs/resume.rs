@@ -8,8 +8,11 @@ use etalon_reference::particles::ParticleSet;
 use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
 use etalon_reference::scenes::sod::Sod;
+use etalon_reference::scenes::turbulence::Turbulence;
+use etalon_reference::scenes::{Definition, Scene, State};
 use etalon_reference::schemes::{Dissipation, Viscosity};
 use etalon_reference::simulation::{Checkpoint, Simulation};
+use etalon_reference::turbulence::forcing::ForcingState;
 
 fn resumes<T: Scalar, const D: usize>(dissipation: Dissipation, across: usize) {
     let viscosity = Viscosity { conduction: Viscosity::CONDUCTION, ..Viscosity::of(dissipation) };
@@ -54,18 +57,17 @@ type Run = Simulation<1, PlainEngine<f64, 1>>;
 fn wave() -> (ParticleSet<1>, Physics, Checkpoint) {
     let physics = Sod::standard(1).physics();
     let set = set::<1>(Difficulty::None, 100, &physics, 7).unwrap();
-    let checkpoint = Run::new(PlainEngine::new(&set), physics).unwrap().checkpoint().unwrap();
+    let checkpoint = Run::new(PlainEngine::new(&set), physics).unwrap().checkpoint(&[]).unwrap();
     (set, physics, checkpoint)
 }
 
 #[test]
 fn a_checkpoint_that_does_not_fit_is_refused_in_words() {
     let (set, physics, good) = wave();
-    let refused =
-        |physics: Physics, checkpoint: &Checkpoint| match Run::resume(PlainEngine::new(&set), physics, checkpoint) {
-            Ok(_) => panic!("it was taken"),
-            Err(EngineError(text)) => text,
-        };
+    let refused = |physics: Physics, checkpoint: &Checkpoint| {
+        let EngineError(text) = Run::new(PlainEngine::new(&set), physics).unwrap().restore(checkpoint).unwrap_err();
+        text
+    };
     let mut bad = good.clone();
     bad.coordinates.push(Vec::new());
     assert_eq!(refused(physics, &bad), "the checkpoint is of a run in 2 dimensions, not in 1");
@@ -74,6 +76,8 @@ fn a_checkpoint_that_does_not_fit_is_refused_in_words() {
     assert_eq!(refused(physics, &bad), "the checkpoint has 99 particles where the scene has 100");
     let bad = Checkpoint { time: f64::NAN, ..good.clone() };
     assert!(refused(physics, &bad).contains("of time NaN"));
+    let bad = Checkpoint { forcing: Some(ForcingState { amplitudes: vec![0.0], random: 1 }), ..good.clone() };
+    assert!(refused(physics, &bad).contains("a force stirs"));
     let bad = Checkpoint { arrangement: Arrangement { order: (0..100).collect(), searches: 3 }, ..good.clone() };
     assert!(refused(physics, &bad).contains("resume with the engine it was made with"));
     let switching = Physics { viscosity: Viscosity::of(Dissipation::AvSw), ..Sod::standard(1).physics() };
@@ -83,6 +87,34 @@ fn a_checkpoint_that_does_not_fit_is_refused_in_words() {
         .iter_mut()
         .for_each(|(component, values)| values.truncate(if component.field == fields::MASS { 5 } else { 100 }));
     assert_eq!(refused(physics, &bad), "mass has 5 values for 100 particles");
+}
+
+/// The force goes on with the random numbers at which it was; and what is shown between two steps is there at once.
+#[test]
+fn a_stirred_run_resumes_bit_for_bit() {
+    let scene = Turbulence::standard(2).with(|method| method.particles = 144);
+    let set = Scene::<2>::particles(&scene, &mut |_| unreachable!("it starts from a lattice")).unwrap();
+    let start = || {
+        let force = Scene::<2>::forcing(&scene).unwrap().unwrap();
+        Simulation::with_forcing(PlainEngine::<f64, 2>::new(&set), Scene::<2>::physics(&scene), force).unwrap()
+    };
+    let steps = |run: &mut Simulation<2, _>| (0..5).for_each(|_| assert!(run.step(f64::MAX).unwrap() > 0.0));
+    let shown = |run: &mut Simulation<2, PlainEngine<f64, 2>>| {
+        let time = run.time();
+        let state = State::read_for::<2, _>(&scene, run.engine(), set.domain(), time).unwrap();
+        format!("{state:?} {:?}", run.forcing().unwrap().state())
+    };
+    let mut whole = start();
+    steps(&mut whole);
+    let saved = whole.checkpoint(Scene::<2>::further_fields(&scene)).unwrap();
+    let mut second = start();
+    second.restore(&saved).unwrap();
+    assert_eq!(shown(&mut second), shown(&mut whole));
+    steps(&mut whole);
+    steps(&mut second);
+    assert_eq!(shown(&mut second), shown(&mut whole));
+    let still = second.restore(&Checkpoint { forcing: None, ..saved }).unwrap_err();
+    assert!(still.to_string().contains("that no force stirs"), "{still}");
 }
 
 #[test]

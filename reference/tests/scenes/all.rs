@@ -1,8 +1,9 @@
 //! What is asked of every scene there is.
 
 use crate::support::particles;
+use etalon_kernels_gen::Field;
 use etalon_reference::particles::ParticleSet;
-use etalon_reference::scenes::{Definition, Name, Problem, ReadChoices, Scene, SceneError, State};
+use etalon_reference::scenes::{Course, Definition, Name, Problem, ReadChoices, Scene, SceneError, State};
 use std::collections::HashSet;
 
 /// Reads choices from JSON.
@@ -38,7 +39,7 @@ fn choices_are_read_as_they_are_written_and_others_are_refused() {
 }
 
 /// The state before anything was summed, with the density of even gas.
-fn state<const D: usize>(set: &ParticleSet<D>) -> State {
+fn state<const D: usize>(set: &ParticleSet<D>, further: &[Field]) -> State {
     let all = set.particles();
     let column = |of: &dyn Fn(usize) -> f64| (0..all.len()).map(of).collect::<Vec<f64>>();
     State {
@@ -53,6 +54,7 @@ fn state<const D: usize>(set: &ParticleSet<D>) -> State {
         mass: column(&|i| all[i].mass),
         mobility: column(&|i| if all[i].mobile { 1.0 } else { 0.0 }),
         species: column(&|i| set.species(i)),
+        further: further.iter().map(|field| (*field, column(&|_| 1.0))).collect(),
     }
 }
 
@@ -81,11 +83,19 @@ fn stands<const D: usize>(name: Name) {
     assert!(quantities.iter().all(|q| q.name.chars().all(named) && !q.name.is_empty() && !q.label.is_empty()));
     let names: HashSet<_> = quantities.iter().map(|q| q.name).collect();
     assert_eq!(names.len(), quantities.len(), "{name}: two quantities of one name");
-    let state = state(&set);
+    let state = state(&set, scene.further_fields());
     for values in [scene.observe(&state).unwrap(), scene.observe_since(&state, &state).unwrap()] {
         assert_eq!(values.len(), quantities.len(), "{name}: one value for each quantity");
         assert!(values.iter().all(|value| value.is_finite()), "{name}: {values:?}");
     }
+    let at_end = scene.quantities_at_end();
+    assert!(at_end.iter().all(|q| q.name.chars().all(named) && !q.name.is_empty() && !q.label.is_empty()));
+    assert!(at_end.iter().all(|q| !names.contains(q.name)), "{name}: a quantity twice");
+    let end = scene.at_end(&Course::to(&state)).unwrap();
+    assert_eq!(end.values.len(), at_end.len(), "{name}: one value or reason for each quantity of the end");
+    let told =
+        |value: &Result<f64, String>| value.as_ref().map_or_else(|why| why.len() > 20, |value| value.is_finite());
+    assert!(end.values.iter().all(told), "{name}: {:?}", end.values);
     let description = scene.description();
     assert!(!description.start.is_empty() && !description.boundaries.is_empty());
 }

@@ -23,7 +23,7 @@ pub fn states<const D: usize>(scene: &dyn Scene<D>, times: &[f64]) -> Vec<State>
     let mut run = Simulation::new(PlainEngine::<f64, D>::new(&set), scene.physics()).unwrap();
     let mut state = |&time: &f64| {
         run.run(time, |_| {}).unwrap_or_else(|error| panic!("{error}"));
-        State::read(run.engine(), set.domain(), time).unwrap()
+        State::read_for(scene, run.engine(), set.domain(), time).unwrap()
     };
     times.iter().map(&mut state).collect()
 }

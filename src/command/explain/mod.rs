@@ -79,7 +79,8 @@ impl Explanation {
     }
 
     fn json(&self) -> Value {
-        let Method { particles, kernel, neighbours, viscosity, grad_h, .. } = *self.setup.method();
+        let Method { particles, kernel, neighbours, viscosity, grad_h, gradients, volume_element, .. } =
+            *self.setup.method();
         let field = |field: &Field| {
             json!({
                 "name": field.name,
@@ -135,6 +136,8 @@ impl Explanation {
             "kernel": kernel.name(),
             "scheme": viscosity.dissipation.name(),
             "grad_h": grad_h.name(),
+            "gradients": gradients.name(),
+            "volume_elements": volume_element.name(),
             "gamma": self.setup.physics().gamma_minus_one + 1.0,
             "stages": stages,
             "fields": self.fields.iter().map(field).collect::<Vec<_>>(),

@@ -65,7 +65,14 @@ pub const CONDITIONS: &[Conditions] = &[
     Conditions { scene: Name::RayleighTaylor, cost: 1.0, ..PLANE },
     // The later rate of Table 5 is a slope around t = 5.8.
     Conditions { scene: Name::WindCloud, dimension: 3, end_time: Some(6.3), cost: 1.0, ..PLANE },
-    Conditions { scene: Name::Turbulence, dimension: 3, cost: 1.0, ..PLANE },
+    // 24 a side: slopes are taken up to k = 10, which takes 21.
+    Conditions {
+        scene: Name::Turbulence,
+        dimension: 3,
+        particles: Particles::Number { usual: Some(13_824), paper: None },
+        cost: 1.0,
+        ..PLANE
+    },
     Conditions {
         scene: Name::Membrane,
         // 200 a side as the blast, of whose box the slice is a tenth (GS25 section 5.2).

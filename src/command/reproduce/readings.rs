@@ -3,7 +3,7 @@
 use super::series::{order, second_order_from, within_from};
 use crate::command::sweep::Record;
 use etalon_reference::scenes::{Name, dustywave};
-use etalon_spec::tables::Variant;
+use etalon_spec::tables::{Rung, Variant};
 
 /// Where a number is found in what is remembered of a run, or of several with more and more particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -153,6 +153,41 @@ pub const READINGS: &[Reading] = &[
         "the same over t = 5.3 to 6.3, for which the run goes on beyond the paper's last look at t = 5.8",
     ),
     one(
+        "kelvin_helmholtz_sign_reversals",
+        Name::KelvinHelmholtz,
+        Read::Last("sign_reversals"),
+        "of all pairs of neighbours, at the end",
+    ),
+    one(
+        "turbulence_bottleneck_wavenumber",
+        Name::Turbulence,
+        Read::Last("k_max"),
+        "the top of k^(5/3) E(k) between k = 4 and what a grid of one point a particle holds; none if it is at an end of that range (docs/turbulence.md)",
+    ),
+    one("turbulence_inertial_slope", Name::Turbulence, Read::Last("spectrum_slope"), "from k = 4 to 10"),
+    Reading {
+        among: Among::DecadesBeyond(Variant::Rung(Rung::Standard)),
+        ..one(
+            "turbulence_inertial_range_gain",
+            Name::Turbulence,
+            Read::Last("k_max"),
+            "the decades by which the bottleneck, which ends the range, lies beyond that of STD; none where either has no bottleneck that is resolved",
+        )
+    },
+    one(
+        "turbulence_mach_slope",
+        Name::Turbulence,
+        Read::Last("mach_slope"),
+        "at the end, from a tenth to a quarter of the side",
+    ),
+    one("grad_h_mean", Name::Turbulence, Read::Last("grad_h_mean"), "at the end, with all ingredients of the ladder"),
+    one(
+        "grad_h_scatter",
+        Name::Turbulence,
+        Read::Last("grad_h_scatter"),
+        "at the end, with all ingredients of the ladder",
+    ),
+    one(
         "membrane_radial_velocity_l1",
         Name::Membrane,
         Read::Error("velocity_r"),
@@ -260,7 +295,14 @@ impl Among {
 mod tests {
     use super::*;
     use crate::command::reproduce::conditions::Conditions;
-    use etalon_spec::tables::{Rung, published};
+    use etalon_reference::scenes::{Quantity, Scene, View};
+    use etalon_spec::tables::published;
+
+    /// The view, what is measured on the way, what at the end alone.
+    fn names<const D: usize>(scene: &dyn Scene<D>) -> (View, Vec<&'static str>, Vec<&'static str>) {
+        let names = |quantities: Vec<Quantity>| quantities.into_iter().map(|quantity| quantity.name).collect();
+        (scene.view(), names(scene.quantities()), names(scene.quantities_at_end()))
+    }
 
     /// A name that nothing measures, or that no paper has, would make an empty column.
     #[test]
@@ -273,16 +315,17 @@ mod tests {
             let conditions = Conditions::of(reading.scene).unwrap();
             for &dimension in reading.scene.dimensions() {
                 let problem = reading.scene.standard(dimension).unwrap();
-                let (view, quantities) = match dimension {
-                    1 => (problem.scene::<1>().view(), problem.scene::<1>().quantities()),
-                    2 => (problem.scene::<2>().view(), problem.scene::<2>().quantities()),
-                    _ => (problem.scene::<3>().view(), problem.scene::<3>().quantities()),
+                let (view, on_the_way, at_end) = match dimension {
+                    1 => names(problem.scene::<1>()),
+                    2 => names(problem.scene::<2>()),
+                    _ => names(problem.scene::<3>()),
                 };
-                let measured = |name: &str| quantities.iter().any(|quantity| quantity.name == name);
+                let measured = |name: &str| on_the_way.contains(&name);
                 let end = conditions.end_time.unwrap_or(problem.end_time());
                 let known = match reading.read {
                     Read::Error(field) => view.velocity() == field,
-                    Read::Last(name) | Read::Largest(name) => measured(name),
+                    Read::Last(name) => measured(name) || at_end.contains(&name),
+                    Read::Largest(name) => measured(name),
                     Read::Order(name) | Read::SecondOrderFrom(name) | Read::WithinFrom(name, _) => measured(name),
                     Read::Mean { of, since } => measured(of) && since < end,
                     Read::Rate { of, at, within } => measured(of) && at + within <= end,

@@ -1,7 +1,7 @@
 //! Files of a run that other programs open: the final particles as HDF5, and what was measured on the way as tables.
 
 use crate::report::Attachment;
-use crate::report::model::{Report, Series};
+use crate::report::model::{EndCurve, Report, Series};
 use crate::snapshot::series::{Quantity, SeriesWriter};
 use crate::snapshot::{Column, Format, Frame, PARTICLE_TYPE, Snapshot, SnapshotError};
 use etalon_reference::domain::Domain;
@@ -11,7 +11,8 @@ use std::path::Path;
 const AXES: [&str; 3] = ["x", "y", "z"];
 const VELOCITIES: [&str; 3] = ["velocity_x", "velocity_y", "velocity_z"];
 
-/// The files of a report: `particles.hdf5`, and `series_BACKEND_PRECISION.csv` of each run that measured something.
+/// The files of a report: `particles.hdf5`, and of each run that measured something `series_BACKEND_PRECISION.csv` and
+/// `curve_NAME_BACKEND_PRECISION.csv`.
 pub fn attachments<'a, const D: usize>(
     report: &'a Report,
     particles: Option<&'a State>,
@@ -30,6 +31,12 @@ pub fn attachments<'a, const D: usize>(
             all.push(Attachment {
                 file: format!("series_{}_{}.csv", run.backend, run.precision),
                 save: Box::new(move |path| in_words(table(series, path))),
+            });
+        }
+        for curve in &measured.ending.curves {
+            all.push(Attachment {
+                file: format!("curve_{}_{}_{}.csv", curve.name, run.backend, run.precision),
+                save: Box::new(move |path| in_words(points(curve, path))),
             });
         }
     }
@@ -69,4 +76,10 @@ fn table(series: &Series, path: &Path) -> Result<(), SnapshotError> {
         writer.append(&std::iter::once(*time).chain(values).collect::<Vec<f64>>())?;
     }
     Ok(())
+}
+
+fn points(curve: &EndCurve, path: &Path) -> Result<(), SnapshotError> {
+    let columns = [&curve.x, &curve.y].map(|column| Quantity::new(column.name.as_str(), column.unit.as_str()));
+    let mut writer = SeriesWriter::create(path, &columns)?;
+    curve.points().try_for_each(|(x, y)| writer.append(&[x, y]))
 }

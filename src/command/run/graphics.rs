@@ -3,6 +3,7 @@
 use super::progress::Progress;
 use super::simulate::{Finished, Task};
 use crate::command::failure::Failure;
+use crate::command::restarts::Restart;
 use etalon_reference::particles::ParticleSet;
 
 /// An adapter, or why there is none.
@@ -38,10 +39,11 @@ impl Graphics {
         task: &Task<'_, D>,
         set: &ParticleSet<D>,
         progress: Progress,
+        restart: Option<Restart>,
     ) -> Result<Finished, Failure> {
         let device = self.device.clone().map_err(Failure::BadInput)?;
         let fields = etalon_reference::pipeline::Pipeline::of_scene::<D>(&task.physics).fields::<D>();
-        task.simulate(etalon_wgpu::WgpuEngine::<D>::new(set, &fields, device)?, set.domain(), progress)
+        task.simulate(etalon_wgpu::WgpuEngine::<D>::new(set, &fields, device)?, set.domain(), progress, restart)
     }
 }
 
@@ -66,7 +68,13 @@ impl Graphics {
     }
 
     /// Refuses.
-    pub fn run<const D: usize>(&self, _: &Task<'_, D>, _: &ParticleSet<D>, _: Progress) -> Result<Finished, Failure> {
+    pub fn run<const D: usize>(
+        &self,
+        _: &Task<'_, D>,
+        _: &ParticleSet<D>,
+        _: Progress,
+        _: Option<Restart>,
+    ) -> Result<Finished, Failure> {
         Err(Failure::BadInput(Self::ABSENT.into()))
     }
 }

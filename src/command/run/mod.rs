@@ -5,7 +5,7 @@
 //! | `plan.rs`, `graphics.rs` | what is to run; the graphics adapter, or why there is none |
 //! | `simulate.rs`, `timed.rs`, `progress.rs` | one simulation, its clocks, its progress |
 //! | `seen.rs`, `curve.rs` | the particles at the end as the scene looks at them; the exact solution as a line |
-//! | `observe.rs` | what a scene measures while it runs |
+//! | `observe.rs` | what a scene measures while it runs, and at the end |
 //! | `compare.rs`, `approximation.rs` | the three sources of error |
 //! | `sensitivity.rs`, `noisy.rs` | where tolerances come from |
 //! | `wrapped.rs` | an engine with clocks or noise around it |
@@ -30,8 +30,10 @@ mod wrapped;
 
 use super::arguments::RunArguments;
 use super::choices::{Backend, Precision};
+use super::explain::work_per_update;
 use super::failure::Failure;
 use super::memory::{self, Memory};
+use super::restarts::Restarts;
 use super::setup::{self, Setup};
 use super::{Done, machine};
 use crate::fma_peak::{self, FmaPeak};
@@ -39,6 +41,7 @@ use crate::report::model::{Measurements, Run, Speed};
 use crate::report::{self, Beside, Report};
 use assemble::{Circumstances, particle_columns};
 use compare::Yardstick;
+use etalon_kernels_gen::lanes::level_name;
 use etalon_reference::domain::Domain;
 use etalon_reference::engine::EngineError;
 use etalon_reference::particles::ParticleSet;
@@ -80,12 +83,30 @@ pub fn run(arguments: &RunArguments) -> Result<Done, Failure> {
     });
     report::check_destination(&folder)?;
     let pool = setup::threads(arguments.threads)?;
-    let session = Session { setup, plan, level, arguments, folder: &folder };
+    let restarts = restarts(&setup, arguments, level, &folder)?;
+    let session = Session { setup, plan, level, arguments, folder: &folder, restarts };
     pool.install(|| match session.setup.dimension {
         1 => session.run::<1>(),
         2 => session.run::<2>(),
         _ => session.run::<3>(),
     })
+}
+
+/// Where restart files go, beside the folder of the report; none if none are wanted.
+fn restarts(setup: &Setup, arguments: &RunArguments, level: Level, folder: &Path) -> Result<Option<Restarts>, Failure> {
+    let every = arguments.restart_every;
+    if every == 0.0 {
+        return Ok(None);
+    }
+    let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let observed = arguments.observe_every.or(setup.observe_every);
+    let settings = vec![
+        ("scene", setup.options()),
+        ("instructions", level_name(level).to_string()),
+        ("observed every", observed.map_or("usual".into(), |every| every.to_string())),
+        ("adapter", arguments.adapter.clone().unwrap_or_default()),
+    ];
+    Restarts::new(folder.with_file_name(format!("{name}.restart")), every, settings).map(Some)
 }
 
 /// All that is settled before the particles exist.
@@ -95,6 +116,7 @@ struct Session<'a> {
     level: Level,
     arguments: &'a RunArguments,
     folder: &'a Path,
+    restarts: Option<Restarts>,
 }
 
 /// The reference's result with what follows from it.
@@ -153,10 +175,13 @@ impl Session<'_> {
             }
             let progress = Progress::new(&label(combination), self.setup.end_time, true);
             let initial = (combination == REFERENCE).then(|| set.clone());
-            let finished = task.run(combination, set, &graphics, progress)?;
+            let restart = self.restarts.as_ref().map(|all| all.of(&label(combination), &task.physics, &set));
+            let finished = task.run(combination, set, &graphics, progress, restart)?;
             let reference = baseline.as_ref().filter(|_| combination != REFERENCE);
             let mut measured = self.measure(combination, &finished, reference, particles, peak)?;
             measured.bytes_per_particle = memory(combination);
+            measured.operations_per_update =
+                work_per_update::<D>(&pipeline, task.physics, precision, method.neighbours)?;
             if let Some(solution) = solution {
                 measured.discretisation_error =
                     compare::discretisation(&finished.seen, scene.view(), solution, scene.measured(task.end_time))?;
@@ -216,7 +241,9 @@ impl Session<'_> {
         finished: Finished,
     ) -> Result<Baseline, Failure> {
         let mut sensitivities = Vec::new();
-        let measure = |precision: Precision, shown: bool| Sensitivity::measure(precision, task, set, &finished, shown);
+        let measure = |precision: Precision, shown: bool| {
+            Sensitivity::measure(precision, task, set, &finished, self.restarts.as_ref(), shown)
+        };
         match self.plan.compared_precisions()[..] {
             [] => {}
             [precision] => sensitivities.push(measure(precision, true)?),
@@ -263,6 +290,7 @@ impl Session<'_> {
             time: finished.time,
             threads,
             wall_seconds: finished.wall_seconds,
+            operations_per_update: 0.0,
             bytes_per_particle: 0.0,
             speed,
             stages: finished.stages.clone(),
@@ -271,6 +299,7 @@ impl Session<'_> {
             arithmetic_difference: Vec::new(),
             profile: crate::report::model::Profile { selection: String::new(), x: Vec::new(), fields: Vec::new() },
             series: finished.series.clone(),
+            ending: finished.ending.clone(),
         })
     }
 
@@ -289,6 +318,10 @@ impl Session<'_> {
             attachments: attached::attachments(report, particles, domain),
         };
         report::write(report, beside, self.folder)?;
+        if let Some(restarts) = &self.restarts {
+            let rounded = Precision::ALL.iter().map(|&precision| Sensitivity::engine(precision));
+            restarts.remove(&self.plan.combinations.iter().map(|c| label(*c)).chain(rounded).collect::<Vec<_>>());
+        }
         let passed = report::passes(report);
         if self.arguments.json {
             let path = self.folder.join("report.json");

@@ -34,6 +34,14 @@ impl Progress {
         &self.label
     }
 
+    /// Goes on where an earlier attempt was.
+    pub fn go_on(&mut self, steps: u64, time: f64) {
+        self.steps = steps;
+        self.bar.set_position((time / self.end_time * PARTS) as u64);
+        self.bar.reset_eta();
+        self.bar.suspend(|| note(&format!("{}: goes on from t = {}, step {steps}", self.label, plain(time))));
+    }
+
     /// A step was made.
     pub fn step(&mut self, time: f64) {
         self.steps += 1;

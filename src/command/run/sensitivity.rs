@@ -11,6 +11,7 @@ use super::simulate::{Finished, Task};
 use super::timed::Timed;
 use crate::command::choices::Precision;
 use crate::command::failure::Failure;
+use crate::command::restarts::Restarts;
 use crate::report::model::Tolerance;
 use crate::report::plain;
 use etalon_reference::domain::{DOUBLE_PLACES, SINGLE_PLACES};
@@ -67,6 +68,7 @@ impl Sensitivity {
         task: &Task<'_, D>,
         set: &ParticleSet<D>,
         reference: &Finished,
+        restarts: Option<&Restarts>,
         shown: bool,
     ) -> Result<Self, Failure> {
         let noise = Noise {
@@ -75,14 +77,21 @@ impl Sensitivity {
             place: set.domain().torus_length().map(|side| side * grid(precision)),
         };
         let label = format!("reference f64, rounded like {precision} at random");
+        // The random numbers of a run half-way are kept nowhere.
+        let restart = restarts.map(|all| all.of(&Self::engine(precision), &task.physics, set).of_the_end_only());
         let engine = Timed::new(Noisy::new(PlainEngine::<f64, D>::new(set), noise));
-        let noisy = task.simulate(engine, set.domain(), Progress::new(&label, task.end_time, shown))?;
+        let noisy = task.simulate(engine, set.domain(), Progress::new(&label, task.end_time, shown), restart)?;
         let mut response = [0.0; FIELDS];
         let pairs = reference.seen.compared().into_iter().zip(noisy.seen.compared());
         for (k, ((a, b), scale)) in pairs.zip(scales(reference)).enumerate() {
             response[k] = rms(a, b)? / scale;
         }
         Ok(Sensitivity { precision, response, steps: reference.steps })
+    }
+
+    /// What its run is called in a restart file.
+    pub fn engine(precision: Precision) -> String {
+        format!("rounded like {precision}")
     }
 
     /// The precision it is about.

@@ -3,18 +3,21 @@
 use crate::command::explain::work_per_update;
 use crate::command::failure::Failure;
 use crate::command::memory::{self, Memory};
+use crate::command::restarts::{Restarts, USUAL_SECONDS};
 use crate::command::run::graphics::Graphics;
 use crate::command::run::plan::Combination;
 use crate::command::run::progress::Progress;
 use crate::command::run::seen::names;
 use crate::command::run::simulate::{Finished, Task};
-use crate::command::run::{compare, particles};
+use crate::command::run::{self, compare, particles};
 use crate::command::setup::Setup;
+use etalon_kernels_gen::lanes::level_name;
 use etalon_reference::pipeline::Pipeline;
 use etalon_reference::scenes::wind_cloud::destruction_rate;
 use fearless_simd::Level;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::Arc;
 
 /// A run to be made.
@@ -49,7 +52,7 @@ pub struct Record {
     pub energy_drift: f64,
     /// When it was measured on the way, ascending.
     pub time: Vec<f64>,
-    /// What was measured then, by name.
+    /// What was measured then, by name; of what is measured at the end alone one value.
     pub measured: BTreeMap<String, Vec<f64>>,
 }
 
@@ -121,16 +124,37 @@ impl Job {
         Memory::of::<D>(backend, precision, &pipeline, neighbours).total() + memory::beside::<D>()
     }
 
-    /// Makes the run.
-    pub fn run(&self, level: Level, graphics: &Graphics, label: &str) -> Result<Record, Failure> {
+    /// Where its restart file lies in a folder of results: each run has a place of its own, for another may be made before it goes on.
+    fn restarts(&self, level: Level, folder: &Path) -> Result<Restarts, Failure> {
+        let settings = vec![("scene", self.id()), ("instructions", level_name(level).to_string())];
+        let own = folder.join(format!("{:08x}.restart", crc32fast::hash(self.id().as_bytes())));
+        Restarts::new(own, USUAL_SECONDS, settings)
+    }
+
+    /// Makes the run, from its restart file in this folder if there is one.
+    pub fn run(&self, level: Level, graphics: &Graphics, label: &str, folder: &Path) -> Result<Record, Failure> {
+        let restarts = self.restarts(level, folder)?;
         match self.setup.dimension {
-            1 => self.run_in::<1>(level, graphics, label),
-            2 => self.run_in::<2>(level, graphics, label),
-            _ => self.run_in::<3>(level, graphics, label),
+            1 => self.run_in::<1>(level, graphics, label, &restarts),
+            2 => self.run_in::<2>(level, graphics, label, &restarts),
+            _ => self.run_in::<3>(level, graphics, label, &restarts),
         }
     }
 
-    fn run_in<const D: usize>(&self, level: Level, graphics: &Graphics, label: &str) -> Result<Record, Failure> {
+    /// Removes its restart file, once its record is on the disk.
+    pub fn done(&self, level: Level, folder: &Path) {
+        if let Ok(restarts) = self.restarts(level, folder) {
+            restarts.remove(&[run::label(self.combination)]);
+        }
+    }
+
+    fn run_in<const D: usize>(
+        &self,
+        level: Level,
+        graphics: &Graphics,
+        label: &str,
+        restarts: &Restarts,
+    ) -> Result<Record, Failure> {
         let scene = self.setup.problem.scene::<D>();
         let set = particles::<D>(&self.setup, level)?;
         let count = set.len() as u64;
@@ -144,13 +168,18 @@ impl Job {
             level,
         };
         let progress = Progress::new(label, task.end_time, true);
-        let finished = task.run(self.combination, Arc::new(set), graphics, progress)?;
+        let restart = restarts.of(&run::label(self.combination), &physics, &set);
+        let finished = task.run(self.combination, Arc::new(set), graphics, progress, Some(restart))?;
         let mut l1 = BTreeMap::new();
         if let Some(solution) = scene.solution(task.end_time)? {
             let measured = scene.measured(task.end_time);
             let errors = compare::discretisation(&finished.seen, scene.view(), solution.as_ref(), measured)?;
             l1.extend(names(scene.view()).into_iter().map(String::from).zip(errors.into_iter().map(|e| e.l1)));
         }
+        let on_the_way = finished.series.quantities.iter().map(|q| (q.name.clone(), q.value.clone()));
+        // Of what is measured at the end alone there is one value, the last.
+        let at_end = finished.ending.quantities.iter().filter_map(|q| Some((q.name.clone(), vec![q.value?])));
+        let measured = on_the_way.chain(at_end).collect();
         let pipeline = Pipeline::of_scene::<D>(&physics);
         let (backend, precision) = self.combination;
         let neighbours = self.setup.method().neighbours;
@@ -164,7 +193,7 @@ impl Job {
             bytes_per_particle: Memory::of::<D>(backend, precision, &pipeline, neighbours).total(),
             l1,
             energy_drift: drift(&finished),
-            measured: finished.series.quantities.iter().map(|q| (q.name.clone(), q.value.clone())).collect(),
+            measured,
             time: finished.series.time,
         })
     }

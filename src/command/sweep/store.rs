@@ -46,6 +46,11 @@ impl Store {
         Ok(Store { path: path.to_path_buf(), file, records })
     }
 
+    /// The folder that the file lies in.
+    pub fn folder(&self) -> &Path {
+        self.path.parent().unwrap_or(Path::new("."))
+    }
+
     /// The record of a run, if it was made.
     pub fn find(&self, id: &str) -> Option<&Record> {
         self.records.iter().find(|record| record.id == id)

@@ -39,8 +39,11 @@ pub fn work(jobs: &[Job], store: &mut Store, with: &Chances) -> Result<usize, Fa
             note(&format!("run {} of {}, about {} left", number + 1, left.len(), duration(pace * rest)));
         }
         let label = format!("{} of {}: {}", number + 1, left.len(), job.name());
-        match job.fits().and_then(|()| job.run(with.level, with.graphics, &label)) {
-            Ok(record) => store.add(record)?,
+        match job.fits().and_then(|()| job.run(with.level, with.graphics, &label, store.folder())) {
+            Ok(record) => {
+                store.add(record)?;
+                job.done(with.level, store.folder());
+            }
             Err(error) => note(&format!("left out: {}: {error}", job.id())),
         }
         done += job.weight;

@@ -4,10 +4,12 @@
 //! |---|---|
 //! | `summary.rs` | headline, summary table |
 //! | `errors.rs` | the three sources of error and their tables |
+//! | `series.rs`, `ending.rs` | what the scene measures on the way, and at the end |
 //! | `speed.rs` | time by stage, rates, memory |
 //! | `setting.rs` | scene, machine, how to repeat it |
 //! | `parts.rs` | table, figure, and the escaping of text |
 
+mod ending;
 mod errors;
 mod parts;
 mod series;
@@ -31,6 +33,7 @@ pub fn page(report: &Report, plots: &[Plot], files: &[&str]) -> String {
         summary::table(report),
         errors::accuracy(report, plots),
         series::measured(report, plots),
+        ending::measured(report, plots),
         errors::sources(report, plots),
         errors::conservation(report),
         speed::section(report, plots),

@@ -43,6 +43,7 @@ fn rates(report: &Report) -> String {
         Head("Time", "ns per particle update", true),
         Head("Updates/s", "per core", true),
         Head("Updates/s per GFLOP/s", "per core, of FMA peak", true),
+        Head("Work", "operations per update", true),
         Head("Memory", "bytes per particle", true),
     ];
     let rows: String = report
@@ -50,7 +51,7 @@ fn rates(report: &Report) -> String {
         .map(|(index, run, measured)| {
             let speed = &measured.speed;
             format!(
-                "<tr>{}<td class=\"n\">{}</td><td class=\"n\">{}</td>{}{}{}{}{}</tr>\n",
+                "<tr>{}<td class=\"n\">{}</td><td class=\"n\">{}</td>{}{}{}{}{}{}</tr>\n",
                 run_heading(index, run),
                 measured.threads,
                 count(measured.steps),
@@ -58,6 +59,7 @@ fn rates(report: &Report) -> String {
                 number(speed.nanoseconds_per_update),
                 maybe(speed.updates_per_second_per_core),
                 maybe(speed.updates_per_gflop),
+                number(measured.operations_per_update),
                 number(measured.bytes_per_particle)
             )
         })

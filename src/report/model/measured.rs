@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Profile, Series};
+use super::{Ending, Profile, Series};
 
 /// One backend in one precision.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -68,6 +68,9 @@ pub struct Measurements {
     pub threads: u32,
     /// Wall-clock time of all steps, seconds; set-up and comparison are not in it.
     pub wall_seconds: f64,
+    /// Floating-point operations of one particle in one step, counted from the graph with the wanted neighbour number.
+    #[serde(default)]
+    pub operations_per_update: f64,
     /// Memory held for the simulation at its largest, bytes a particle.
     pub bytes_per_particle: f64,
     /// Rates that follow from the above.
@@ -85,6 +88,9 @@ pub struct Measurements {
     /// What was measured on the way; without quantities where the scene measures nothing.
     #[serde(default)]
     pub series: Series,
+    /// What was measured at the end alone.
+    #[serde(default)]
+    pub ending: Ending,
 }
 
 impl Measurements {

@@ -95,7 +95,7 @@ pub(super) fn padded(values: impl Iterator<Item = f64>) -> Range<f64> {
 }
 
 /// A tick label of a linear axis: no more digits than needed, a true minus sign.
-fn tick(value: f64) -> String {
+pub(super) fn tick(value: f64) -> String {
     let rounded = format!("{:.6}", value);
     let trimmed = rounded.trim_end_matches('0').trim_end_matches('.');
     match trimmed {

@@ -10,15 +10,17 @@
 //! | `heat.rs`, `difference.rs` | schemes by tests, coloured by the distance from the best |
 //! | `pareto.rs`, `front.rs`, `labels.rs` | error against cost, and the front of what nothing beats in both |
 //! | `series.rs`, `quantities.rs` | a quantity over time for several runs; those of a report |
+//! | `ending.rs` | the curves that a scene has at the end |
 //! | `map.rs`, `sample.rs`, `raster.rs` | a picture of a field in the plane |
 //! | `curves.rs` | any curves with scatter over one coordinate |
-//! | `canvas.rs`, `axis.rs`, `decades.rs`, `rows.rs`, `theme.rs`, `palette.rs`, `refuse.rs` | what they share |
+//! | `canvas.rs`, `axis.rs`, `scale.rs`, `decades.rs`, `rows.rs`, `theme.rs`, `palette.rs`, `refuse.rs` | what they share |
 
 mod axis;
 mod canvas;
 mod curves;
 mod decades;
 mod difference;
+mod ending;
 mod error;
 mod front;
 mod heat;
@@ -32,6 +34,7 @@ mod raster;
 mod refuse;
 mod rows;
 mod sample;
+mod scale;
 mod series;
 mod sources;
 #[cfg(test)]
@@ -50,6 +53,7 @@ pub use sample::{Window, nearest, smoothed};
 pub use series::{Series, SeriesLine, SeriesTarget, series};
 
 pub(super) use canvas::key_label;
+pub(super) use ending::file as curve_file;
 pub(super) use profile::capital;
 pub(super) use quantities::file as series_file;
 
@@ -90,6 +94,7 @@ pub fn plots(report: &Report) -> Result<Vec<Plot>, ReportError> {
         plots.extend(profile::draw(report, field)?);
     }
     plots.extend(quantities::draw(report)?);
+    plots.extend(ending::draw(report)?);
     plots.extend(error::draw(report)?);
     plots.extend(sources::draw(report)?);
     plots.extend(time::draw(report)?);

@@ -154,7 +154,7 @@ fn keys(plot: &Series) -> Vec<Key> {
 }
 
 /// The mark of a line by its place; with the colours, whose number differs by two, no pair repeats before the thirteenth.
-fn line_mark(place: usize) -> Mark {
+pub(super) fn line_mark(place: usize) -> Mark {
     MARKS[place % MARKS.len()]
 }
 

@@ -26,8 +26,9 @@ fn resumes<const D: usize, E: Engine<D>>(name: &str, make: impl Fn(&ParticleSet<
     let set = particles::<D>();
     let settings = Settings::new(name, &physics::<D>(), set.domain());
     let through = |checkpoint: Checkpoint| {
-        save(&path, &checkpoint, &settings).map_err(EngineError::from_display)?;
-        let found = load::<D>(&path, &settings).map_err(EngineError::from_display)?;
+        save(&path, &checkpoint, &settings, &0.1).map_err(EngineError::from_display)?;
+        let (found, beside) = load::<D, f64>(&path, &settings).map_err(EngineError::from_display)?;
+        assert_eq!(beside, 0.1);
         assert_eq!(
             (found.time, found.next_step, found.steps),
             (checkpoint.time, checkpoint.next_step, checkpoint.steps)
@@ -54,7 +55,7 @@ fn checkpoint() -> (Checkpoint, Settings) {
     let mut run = Simulation::new(PlainEngine::<f64, 1>::new(&set), physics::<1>()).unwrap();
     run.step(1.0).unwrap();
     (
-        run.checkpoint().unwrap(),
+        run.checkpoint(&[]).unwrap(),
         Settings::new("reference f64", &physics::<1>(), set.domain()).with("scene", "sod\nn = 100"),
     )
 }
@@ -64,10 +65,10 @@ fn other_settings_are_refused_by_name() {
     let place = Place::new("restart-settings");
     let path = place.path("a.restart");
     let (checkpoint, settings) = checkpoint();
-    save(&path, &checkpoint, &settings).unwrap();
-    assert_eq!(load::<1>(&path, &settings).unwrap().steps, 1);
+    save(&path, &checkpoint, &settings, &()).unwrap();
+    assert_eq!(load::<1, ()>(&path, &settings).unwrap().0.steps, 1);
     let domain = *particles::<1>().domain();
-    let refused = |other: Settings| load::<1>(&path, &other).unwrap_err().to_string();
+    let refused = |other: Settings| load::<1, ()>(&path, &other).unwrap_err().to_string();
     let message = refused(Settings::new("simd f64", &physics::<1>(), &domain).with("scene", "sod\nn = 100"));
     assert!(message.contains("it was made with engine `reference f64` where this run has `simd f64`"), "{message}");
     let kernel = Physics { kernel: Kernel::WendlandC2, ..physics::<1>() };
@@ -82,30 +83,42 @@ fn other_settings_are_refused_by_name() {
     assert!(message.contains("with scene `sod\nn = 100`, which this run does not have"), "{message}");
 }
 
+/// All 128 bits of the random numbers come back.
+#[test]
+fn a_force_is_kept_with_all_its_bits() {
+    let place = Place::new("restart-force");
+    let path = place.path("a.restart");
+    let (checkpoint, settings) = checkpoint();
+    let forcing = Some(ForcingState { amplitudes: vec![0.1 + 0.2, -0.0, 5e-324], random: u128::MAX - 12345 });
+    let stirred = Checkpoint { forcing, ..checkpoint };
+    save(&path, &stirred, &settings, &vec![1.0 / 3.0]).unwrap();
+    assert_eq!(load::<1, Vec<f64>>(&path, &settings).unwrap(), (stirred, vec![1.0 / 3.0]));
+}
+
 /// Cut anywhere, or with any one byte changed: refused, or, where the byte is of no meaning, the same checkpoint.
 #[test]
 fn a_damaged_file_is_never_taken_for_a_good_one() {
     let place = Place::new("restart-damaged");
     let path = place.path("a.restart");
     let (checkpoint, settings) = checkpoint();
-    save(&path, &checkpoint, &settings).unwrap();
-    let good = load::<1>(&path, &settings).unwrap();
+    save(&path, &checkpoint, &settings, &()).unwrap();
+    let good = load::<1, ()>(&path, &settings).unwrap();
     let image = std::fs::read(&path).unwrap();
     let mut refused = 0;
     for place in (0..image.len()).step_by(29) {
         std::fs::write(&path, &image[..place]).unwrap();
-        assert!(load::<1>(&path, &settings).is_err(), "cut to {place} of {} bytes", image.len());
+        assert!(load::<1, ()>(&path, &settings).is_err(), "cut to {place} of {} bytes", image.len());
         let mut spoilt = image.clone();
         spoilt[place] ^= 0x10;
         std::fs::write(&path, &spoilt).unwrap();
-        match load::<1>(&path, &settings) {
+        match load::<1, ()>(&path, &settings) {
             Ok(found) => assert_eq!(found, good, "byte {place} is changed"),
             Err(_) => refused += 1,
         }
     }
     assert!(refused > image.len() / 29 * 9 / 10, "only {refused} changes were noticed");
     std::fs::write(&path, b"no restart file").unwrap();
-    assert!(load::<1>(&path, &settings).unwrap_err().to_string().contains("cannot be read as HDF5"));
+    assert!(load::<1, ()>(&path, &settings).unwrap_err().to_string().contains("cannot be read as HDF5"));
 }
 
 #[test]
@@ -113,8 +126,8 @@ fn the_last_complete_file_stays_if_the_next_cannot_be_written() {
     let place = Place::new("restart-atomic");
     let path = place.path("a.restart");
     let (checkpoint, settings) = checkpoint();
-    save(&path, &checkpoint, &settings).unwrap();
+    save(&path, &checkpoint, &settings, &()).unwrap();
     let next = Checkpoint { time: f64::NAN, ..checkpoint.clone() };
-    assert!(save(&path, &next, &settings).is_err());
-    assert_eq!(load::<1>(&path, &settings).unwrap().time, checkpoint.time);
+    assert!(save(&path, &next, &settings, &()).is_err());
+    assert_eq!(load::<1, ()>(&path, &settings).unwrap().0.time, checkpoint.time);
 }
