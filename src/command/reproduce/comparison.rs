@@ -23,6 +23,8 @@ pub struct Quantity<'a> {
     pub published: &'a Published,
     /// The variants.
     pub pairs: Vec<Pair<'a>>,
+    /// What the paper's tables say to beware of, whatever the variant.
+    caveat: &'a str,
 }
 
 /// All that was compared.
@@ -45,7 +47,8 @@ impl<'a> Comparison<'a> {
             let theirs: Vec<Option<f64>> = of.iter().map(|compared| compared.published).collect();
             let ours = reading.among.apply(&variants, &theirs, ours);
             let pairs = of.into_iter().zip(ours).map(|(compared, ours)| Pair { compared, ours }).collect();
-            quantities.push(Quantity { reading, published, pairs });
+            let rows = all.iter().filter(|p| (&p.quantity, p.place) == (&published.quantity, published.place));
+            quantities.push(Quantity { reading, published, pairs, caveat: common_end(rows.map(note)) });
         }
         Comparison { quantities }
     }
@@ -102,10 +105,7 @@ impl Quantity<'_> {
             let published = pair.compared.published;
             let ratio = pair.ours.zip(published).map(|(ours, theirs)| ours / theirs);
             rows.push([
-                match pair.compared.resolution.filter(|_| self.has_resolutions()) {
-                    Some(resolution) => format!("{}, {resolution}", pair.compared.variant),
-                    None => pair.compared.variant.to_string(),
-                },
+                self.label(pair),
                 number(published),
                 number(pair.ours),
                 number(ratio.filter(|ratio| ratio.is_finite())),
@@ -114,12 +114,29 @@ impl Quantity<'_> {
             ]);
         }
         out += &columns(&rows);
-        for note in [Some(self.reading.note), self.published.note.as_deref()].into_iter().flatten() {
-            if !note.is_empty() {
-                out += &format!("Note: {}\n", note.trim());
+        for note in [self.reading.note, self.caveat].into_iter().filter(|note| !note.is_empty()) {
+            out += &format!("Note: {note}\n");
+        }
+        for pair in &self.pairs {
+            if let Some(said) = self.said_of(pair) {
+                out += &format!("The paper of {}: {said}\n", self.label(pair));
             }
         }
         out
+    }
+
+    /// A variant with its resolution, where there are several.
+    fn label(&self, pair: &Pair) -> String {
+        match pair.compared.resolution.filter(|_| self.has_resolutions()) {
+            Some(resolution) => format!("{}, {resolution}", pair.compared.variant),
+            None => pair.compared.variant.to_string(),
+        }
+    }
+
+    /// What is said of this variant alone.
+    fn said_of<'b>(&self, pair: &Pair<'b>) -> Option<&'b str> {
+        let said = note(pair.compared.place).strip_suffix(self.caveat)?.trim();
+        (!said.is_empty()).then_some(said)
     }
 
     fn json(&self) -> Value {
@@ -137,6 +154,7 @@ impl Quantity<'_> {
                 }
             };
             put("resolution", compared.resolution.map(|resolution| json!(resolution)));
+            put("said", self.said_of(pair).map(|said| json!(said)));
             put("published", compared.published.map(|value| json!(value)));
             put("ours", pair.ours.map(|value| json!(value)));
             put("rank_published", theirs[k].map(|rank| json!(rank)));
@@ -157,6 +175,25 @@ impl Quantity<'_> {
     }
 }
 
+/// What a row of a table says beside its number: of the variant, then of all.
+fn note(published: &Published) -> &str {
+    published.note.as_deref().unwrap_or_default()
+}
+
+/// The words that all end with, from the beginning of a sentence on.
+fn common_end<'a>(notes: impl Iterator<Item = &'a str>) -> &'a str {
+    let both = |a: &'a str, b: &'a str| {
+        let same = a.chars().rev().zip(b.chars().rev()).take_while(|(a, b)| a == b);
+        let end = &a[a.len() - same.map(|(c, _)| c.len_utf8()).sum::<usize>()..];
+        match end.len() == a.len() || end.len() == b.len() {
+            true => end,
+            // What they share may begin within a sentence that differs.
+            false => end.find(". ").map_or("", |dot| &end[dot + 2..]),
+        }
+    };
+    notes.reduce(both).unwrap_or_default()
+}
+
 /// The rank of each value that there is, 1 for the best; equal values share the better rank.
 fn ranks(goal: Goal, values: &[Option<f64>]) -> Vec<Option<usize>> {
     let badness: Vec<Option<f64>> =
@@ -168,6 +205,20 @@ fn ranks(goal: Goal, values: &[Option<f64>]) -> Vec<Option<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_all_rows_say_is_told_from_what_one_says() {
+        let end = |notes: &[&'static str]| common_end(notes.iter().copied());
+        assert_eq!(end(&["Noisy. Beware.", "Beware.", "Less noisy. Beware."]), "Beware.");
+        assert_eq!(
+            end(&["Said to be large. Beware. Really.", "Said to be enlarged. Beware. Really."]),
+            "Beware. Really."
+        );
+        assert_eq!(
+            (end(&["Large.", "Enlarged."]), end(&["Beware."]), end(&["", "Beware."]), end(&[])),
+            ("", "Beware.", "", "")
+        );
+    }
 
     #[test]
     fn ranks_follow_the_goal_and_skip_what_is_not_there() {

@@ -50,7 +50,7 @@ const PLANE: Conditions = Conditions {
     precision: Precision::Single,
     end_time: None,
     set: &[],
-    cost: 1.0,
+    cost: 0.1,
 };
 
 /// Rows across the dusty wave and the dense side of the dusty tube (PL20 sections 3.1, 3.2).
@@ -58,19 +58,26 @@ const ROWS: [f64; 2] = [12.0, 24.0];
 
 /// All scenes with published numbers.
 pub const CONDITIONS: &[Conditions] = &[
-    Conditions { scene: Name::Sod, dimension: 1, cost: 1.0, ..PLANE },
-    Conditions { scene: Name::Sedov, cost: 1.0, ..PLANE },
-    PLANE,
-    Conditions { scene: Name::KelvinHelmholtz, cost: 1.0, ..PLANE },
-    Conditions { scene: Name::RayleighTaylor, cost: 1.0, ..PLANE },
-    // The later rate of Table 5 is a slope around t = 5.8.
-    Conditions { scene: Name::WindCloud, dimension: 3, end_time: Some(6.3), cost: 1.0, ..PLANE },
-    // 24 a side: slopes are taken up to k = 10, which takes 21.
+    Conditions { scene: Name::Sod, dimension: 1, cost: 0.5, ..PLANE },
+    Conditions { scene: Name::Sedov, cost: 0.6, ..PLANE },
+    // 100 across, as the paper's.
+    Conditions { particles: Particles::Number { usual: Some(10_000), paper: None }, cost: 0.17, ..PLANE },
+    Conditions { scene: Name::KelvinHelmholtz, cost: 0.1, ..PLANE },
+    Conditions { scene: Name::RayleighTaylor, cost: 0.07, ..PLANE },
+    Conditions {
+        scene: Name::WindCloud,
+        dimension: 3,
+        // The later rate of Table 5 is a slope around t = 5.8.
+        end_time: Some(6.3),
+        cost: 0.017,
+        ..PLANE
+    },
     Conditions {
         scene: Name::Turbulence,
         dimension: 3,
-        particles: Particles::Number { usual: Some(13_824), paper: None },
-        cost: 1.0,
+        // 22 a side: slopes are taken up to k = 10, which takes 21.
+        particles: Particles::Number { usual: Some(10_648), paper: None },
+        cost: 0.08,
         ..PLANE
     },
     Conditions {
@@ -78,7 +85,7 @@ pub const CONDITIONS: &[Conditions] = &[
         // 200 a side as the blast, of whose box the slice is a tenth (GS25 section 5.2).
         particles: Particles::Number { usual: None, paper: Some(800_000) },
         set: &[("compared_with", "linear")],
-        cost: 1.0,
+        cost: 0.12,
         ..PLANE
     },
     Conditions {
@@ -88,14 +95,14 @@ pub const CONDITIONS: &[Conditions] = &[
         particles: Particles::Along(|along, dimension| 2.0 * along * ROWS[0].powi(dimension as i32 - 1)),
         // An amplitude of 1e-6 is a few roundings of a density of one in single precision.
         precision: Precision::Double,
-        cost: 1.0,
+        cost: 0.2,
         ..PLANE
     },
     Conditions {
         scene: Name::DustyShock,
         dimension: 1,
         particles: Particles::Along(of_dusty_tube),
-        cost: 1.0,
+        cost: 1.2,
         ..PLANE
     },
 ];

@@ -144,7 +144,7 @@ pub const READINGS: &[Reading] = &[
         "wind_cloud_destruction_rate",
         Name::WindCloud,
         Read::Rate { of: "cloud_fraction", at: 5.2, within: 0.5 },
-        "the slope of M/M0 by least squares over t = 4.7 to 5.7, per unit of time, M0 being the mass measured at the start",
+        "the slope of M/M0 by least squares over t = 4.7 to 5.7, per unit of time, M0 being the mass measured at the start; none where the cloud is gone by then",
     ),
     one(
         "wind_cloud_later_destruction_rate",
@@ -261,7 +261,8 @@ impl Reading {
             Read::Last(name) => record.last(name),
             Read::Largest(name) => record.largest(name),
             Read::Mean { of, since } => record.mean(of, since),
-            Read::Rate { of, at, within } => record.rate(of, at, within),
+            // What is gone has no rate any more.
+            Read::Rate { of, at, within } => record.rate(of, at, within).filter(|rate| *rate != 0.0),
             Read::Order(name) => order(&series(name)?),
             Read::SecondOrderFrom(name) => second_order_from(&series(name)?),
             Read::WithinFrom(name, most) => within_from(&series(name)?, most),

@@ -22,12 +22,14 @@ pub struct Compared {
     pub resolution: Option<usize>,
     /// The paper's number, if it prints one.
     pub published: Option<f64>,
+    /// Where the paper has it first.
+    pub place: &'static Published,
     /// Our runs, each with the number of particles along the problem where that is what tells them apart, ascending.
     pub jobs: Vec<(usize, Job)>,
 }
 
 /// All numbers of the chosen scenes, each once: what two tables of a paper share is the same number.
-pub fn wanted(arguments: &ReproduceArguments, all: &[Published]) -> Result<Vec<Compared>, Failure> {
+pub fn wanted(arguments: &ReproduceArguments, all: &'static [Published]) -> Result<Vec<Compared>, Failure> {
     let mut compared: Vec<Compared> = Vec::new();
     let mut left_out = BTreeSet::new();
     for published in all {
@@ -47,7 +49,8 @@ pub fn wanted(arguments: &ReproduceArguments, all: &[Published]) -> Result<Vec<C
             Some(known) => known.published = known.published.or(published.value),
             None => {
                 let jobs = jobs(arguments, reading, variant, resolution)?;
-                compared.push(Compared { reading, variant, resolution, published: published.value, jobs });
+                let (place, published) = (published, published.value);
+                compared.push(Compared { reading, variant, resolution, published, place, jobs });
             }
         }
     }
