@@ -209,6 +209,26 @@ pub struct BenchArguments {
     pub json: bool,
 }
 
+/// What commands that make many runs have in common.
+#[derive(Clone, Debug, Args)]
+pub struct SweepArguments {
+    /// Begin no run that would not end within so many minutes; the same command goes on later [default: 15 for `reproduce` at its usual sizes, else none]
+    #[arg(long, value_name = "MINUTES", value_parser = number, allow_negative_numbers = true)]
+    pub minutes: Option<f64>,
+    /// Threads of the simd backend [default: all]
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
+    pub threads: Option<usize>,
+    /// Graphics adapter, by a part of its name [default: hardware before software]
+    #[arg(long, value_name = "NAME")]
+    pub adapter: Option<String>,
+    /// Folder of the results; what is done already is found there [default: etalon-out/reproduce, etalon-out/pareto-SCENE-Dd]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// `etalon pareto`. Lists are separated by commas.
 #[derive(Clone, Debug, Args)]
 pub struct ParetoArguments {
@@ -250,21 +270,9 @@ pub struct ParetoArguments {
     /// The error: a field against the exact solution, or what the scene measures, at the end [default: the velocity]
     #[arg(long, value_name = "NAME")]
     pub error: Option<String>,
-    /// Begin no new run after so many minutes; the same command goes on later
-    #[arg(long, value_name = "MINUTES", value_parser = number, allow_negative_numbers = true)]
-    pub minutes: Option<f64>,
-    /// Threads of the simd backend [default: all]
-    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
-    pub threads: Option<usize>,
-    /// Graphics adapter, by a part of its name [default: hardware before software]
-    #[arg(long, value_name = "NAME")]
-    pub adapter: Option<String>,
-    /// Folder of the results; what is done already is found there [default: etalon-out/pareto-SCENE-Dd]
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Print JSON
-    #[arg(long)]
-    pub json: bool,
+    /// How the runs are made.
+    #[command(flatten)]
+    pub sweep: SweepArguments,
 }
 
 /// `etalon reproduce`.
@@ -285,24 +293,12 @@ pub struct ReproduceArguments {
     /// What runs them
     #[arg(long, value_name = "NAME", default_value = "simd")]
     pub backend: Backend,
-    /// In which precision
-    #[arg(long, value_name = "NAME", default_value = "f32")]
-    pub precision: Precision,
-    /// Begin no new run after so many minutes; the same command goes on later [default: 15, none with --paper-resolution]
-    #[arg(long, value_name = "MINUTES", value_parser = number, allow_negative_numbers = true)]
-    pub minutes: Option<f64>,
-    /// Threads of the simd backend [default: all]
-    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
-    pub threads: Option<usize>,
-    /// Graphics adapter, by a part of its name [default: hardware before software]
+    /// In which precision [default: f32; f64 for the dusty wave, which is too faint for less]
     #[arg(long, value_name = "NAME")]
-    pub adapter: Option<String>,
-    /// Folder of the results; what is done already is found there [default: etalon-out/reproduce]
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Print JSON
-    #[arg(long)]
-    pub json: bool,
+    pub precision: Option<Precision>,
+    /// How the runs are made.
+    #[command(flatten)]
+    pub sweep: SweepArguments,
 }
 
 /// `etalon compare`.

@@ -7,15 +7,12 @@ use super::Done;
 use super::arguments::{ParetoArguments, SceneArguments};
 use super::choices::{Backend, Cost, Precision};
 use super::failure::Failure;
-use super::memory::{self, Memory};
-use super::run::graphics::Graphics;
 use super::run::progress::note;
 use super::run::seen::names;
-use super::setup::{self, Setup};
-use super::sweep::{Chances, Job, Record, Store, done_of, work};
+use super::setup::Setup;
+use super::sweep::{Job, Made, Record, Store, done_of, make};
 use crate::report::{Pareto, ParetoPoint, columns, pareto as draw, pareto_front, plain, utc_now};
 use etalon_kernels_gen::lanes::level_name;
-use etalon_reference::pipeline::Pipeline;
 use etalon_reference::schemes::Dissipation;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -26,27 +23,17 @@ pub fn pareto(arguments: &ParetoArguments) -> Result<Done, Failure> {
     if let Some(name) = &arguments.error {
         check_error(name, &jobs[0].setup)?;
     }
-    let level = setup::instructions(None)?;
     let first = &jobs[0].setup;
-    let folder = arguments.out.clone().unwrap_or_else(|| {
+    let folder = arguments.sweep.out.clone().unwrap_or_else(|| {
         PathBuf::from("etalon-out").join(format!("pareto-{}-{}d", first.problem.name(), first.dimension))
     });
-    let wanted = jobs.iter().any(|job| job.combination.0 == Backend::Wgpu);
-    let graphics = Graphics::find(arguments.adapter.as_deref(), wanted);
-    if let Some(reason) = graphics.absent().filter(|_| wanted) {
-        return Err(Failure::BadInput(format!("--backend wgpu: {reason}")));
-    }
-    let mut store = Store::open(&folder.join("results.jsonl"))?;
-    let budget_seconds = arguments.minutes.map(|minutes| minutes * 60.0);
-    let pool = setup::threads(arguments.threads)?;
-    let chances = Chances { level, graphics: &graphics, budget_seconds };
-    let left = pool.install(|| work(&jobs, &mut store, &chances))?;
-    if left > 0 {
-        note(&format!("{left} runs are left; the same command goes on with them"));
-    }
+    let Made { store, left, level } = make(&jobs, &folder, &arguments.sweep, None)?;
     let study = Study::new(arguments, &jobs, &store)?;
     study.write(&folder)?;
-    let text = if arguments.json { super::to_text(&study.json(level_name(level)))? } else { study.text(&folder, left) };
+    let text = match arguments.sweep.json {
+        true => super::to_text(&study.json(level_name(level)))?,
+        false => study.text(&folder, left),
+    };
     Ok(Done::passed(text))
 }
 
@@ -106,7 +93,7 @@ fn jobs(arguments: &ParetoArguments) -> Result<Vec<Job>, Failure> {
                         }
                     };
                     for combination in combinations(&backends, &precisions) {
-                        jobs.push(Job { setup: setup.clone(), combination });
+                        jobs.push(Job::new(setup.clone(), combination));
                     }
                 }
             }
@@ -122,7 +109,7 @@ fn jobs(arguments: &ParetoArguments) -> Result<Vec<Job>, Failure> {
             told.dedup();
             told.iter().for_each(|error| note(&format!("left out: {error}")));
             for job in &jobs {
-                fits(job)?;
+                job.fits()?;
             }
             Ok(jobs)
         }
@@ -132,23 +119,6 @@ fn jobs(arguments: &ParetoArguments) -> Result<Vec<Job>, Failure> {
 fn combinations(backends: &[Backend], precisions: &[Precision]) -> Vec<(Backend, Precision)> {
     let all = backends.iter().flat_map(|&b| precisions.iter().map(move |&p| (b, p)));
     all.filter(|combination| *combination != (Backend::Wgpu, Precision::Double)).collect()
-}
-
-/// Refuses a run that does not fit into memory before the first one begins.
-fn fits(job: &Job) -> Result<(), Failure> {
-    fn bytes<const D: usize>(job: &Job) -> f64 {
-        let pipeline = Pipeline::of_scene::<D>(&job.setup.physics());
-        let (backend, precision) = job.combination;
-        Memory::of::<D>(backend, precision, &pipeline, job.setup.method().neighbours.min(1000.0)).total()
-            + memory::beside::<D>()
-    }
-    let each = match job.setup.dimension {
-        1 => bytes::<1>(job),
-        2 => bytes::<2>(job),
-        _ => bytes::<3>(job),
-    };
-    let particles = job.setup.method().particles;
-    memory::check(&format!("--n {particles}"), particles, each)
 }
 
 /// A finished run as a point.

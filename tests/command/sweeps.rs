@@ -40,19 +40,19 @@ fn a_sweep_is_drawn_and_goes_on_where_it_stopped() {
     refused("pareto-error", &[&sweep[..], &["--error", "spin"]].concat(), &["--error spin", "velocity_x"]);
 }
 
-/// The tube with all seven schemes, small: our numbers stand beside the published ones with ranks, and an interrupted comparison goes on.
+/// The tube with all seven schemes and that with dust, small: our numbers stand beside the published ones with ranks, and an interrupted comparison goes on.
 #[test]
 fn the_papers_numbers_stand_beside_ours() {
     let place = Place::new("reproduce");
-    let few = ["reproduce", "sod", "--size", "0.2", "--minutes", "0"];
+    let few = ["reproduce", "sod", "dustyshock", "--size", "0.2", "--minutes", "0"];
     // No time for more than the first run, which is begun whatever the limit.
     let output = place.etalon(&few);
     assert_eq!(code(&output), Some(0), "{}", stderr(&output));
     assert!(stdout(&output).contains("runs are left; the same command goes on"), "{}", stdout(&output));
-    let all = ["reproduce", "sod", "--size", "0.2", "--json"];
+    let all = ["reproduce", "sod", "dustyshock", "--size", "0.2", "--json"];
     let output = place.etalon(&all);
     assert_eq!(code(&output), Some(0), "{}", stderr(&output));
-    assert!(stderr(&output).contains("1 of 7 runs are done already"), "{}", stderr(&output));
+    assert!(stderr(&output).contains("1 of 12 runs are done already"), "{}", stderr(&output));
     let comparison = json(stdout(&output));
     let mut page = Page::read("reproduce-schema.md");
     page.check(&comparison);
@@ -69,6 +69,20 @@ fn the_papers_numbers_stand_beside_ours() {
     let mut ranks: Vec<u64> = variants.iter().map(|v| v["rank_ours"].as_u64().unwrap()).collect();
     ranks.sort_unstable();
     assert_eq!(ranks[0], 1);
-    assert!(fs::read_to_string(place.path("etalon-out/reproduce/heat_map.svg")).unwrap().contains("AVSLRB2"));
+    // The limiter that the paper recommends at three resolutions, and the two schemes of which it prints nothing at the lowest.
+    let dust = &comparison["quantities"][1];
+    assert_eq!(dust["quantity"], "dustyshock_l1");
+    let dust = dust["variants"].as_array().unwrap();
+    let of = |variant: &str| dust.iter().filter(|v| v["variant"] == variant).collect::<Vec<_>>();
+    let limited = of("MC");
+    let resolutions: Vec<u64> = limited.iter().map(|v| v["resolution"].as_u64().unwrap()).collect();
+    assert_eq!(resolutions, [128, 256, 512]);
+    let errors: Vec<f64> = limited.iter().map(|v| v["ours"].as_f64().unwrap()).collect();
+    assert!(errors[0] > errors[1] && errors[1] > errors[2], "{errors:?}");
+    let raw = of("unreconstructed")[0];
+    assert!(raw["ours"].as_f64().unwrap() > errors[0] && raw["resolution"] == 128, "{raw} {errors:?}");
+    let folder = place.path("etalon-out/reproduce");
+    assert!(fs::read_to_string(folder.join("heat_map.svg")).unwrap().contains("AVSLRB2"));
+    assert!(fs::read_to_string(folder.join("heat_map_dust.svg")).unwrap().contains("unreconstructed"));
     refused("reproduce-scene", &["reproduce", "noh"], &["no published number", "leave the names out"]);
 }

@@ -1,128 +1,93 @@
 //! Ours beside theirs, with ranks.
 
 use super::readings::{READINGS, Reading};
-use super::runs::Run;
-use crate::command::failure::Failure;
+use super::runs::Compared;
 use crate::command::sweep::Store;
-use crate::report::{CellText, HeatColumn, HeatMap, HeatMatrix, Plot, columns, heat_map, plain, utc_now};
+use crate::report::{columns, plain, utc_now};
 use etalon_spec::tables::{Goal, Published, Variant};
 use serde_json::{Value, json};
-use std::path::Path;
 
 /// A variant's two numbers.
-struct Pair<'a> {
-    variant: Variant,
-    published: Option<f64>,
-    ours: Option<f64>,
-    run: &'a Run,
+pub struct Pair<'a> {
+    /// What was run.
+    pub compared: &'a Compared,
+    /// Ours; none where runs are missing or did not measure it.
+    pub ours: Option<f64>,
 }
 
 /// One quantity of one scene for all its variants.
-struct Quantity<'a> {
-    reading: &'static Reading,
-    published: &'a Published,
-    pairs: Vec<Pair<'a>>,
+pub struct Quantity<'a> {
+    /// How it is read.
+    pub reading: &'static Reading,
+    /// The first published number of it, for what it says of the quantity.
+    pub published: &'a Published,
+    /// The variants.
+    pub pairs: Vec<Pair<'a>>,
+    /// What the paper's tables say to beware of, whatever the variant.
+    caveat: &'a str,
 }
 
 /// All that was compared.
 pub struct Comparison<'a> {
-    quantities: Vec<Quantity<'a>>,
+    /// In the order of the readings.
+    pub quantities: Vec<Quantity<'a>>,
 }
 
 impl<'a> Comparison<'a> {
     /// From what is done.
-    pub fn new(runs: &'a [Run], store: &Store, all: &'a [Published]) -> Self {
+    pub fn new(compared: &'a [Compared], store: &Store, all: &'a [Published]) -> Self {
         let mut quantities = Vec::new();
         for reading in READINGS {
-            let concerned = runs.iter().filter(|run| run.readings.iter().any(|r| r.quantity == reading.quantity));
-            let theirs = |variant: Variant| {
-                all.iter().find(|p| p.quantity == reading.quantity && p.scheme == variant && p.value.is_some())
+            let of: Vec<&Compared> = compared.iter().filter(|c| c.reading.quantity == reading.quantity).collect();
+            let Some(published) = all.iter().find(|p| p.quantity == reading.quantity && !of.is_empty()) else {
+                continue;
             };
-            let pairs: Vec<Pair> = concerned
-                .map(|run| Pair {
-                    variant: run.variant,
-                    published: theirs(run.variant).and_then(|p| p.value),
-                    ours: store.find(&run.job.id()).and_then(|record| reading.of(record, run.job.setup.dimension)),
-                    run,
-                })
-                .collect();
-            let published = all.iter().find(|p| p.quantity == reading.quantity);
-            if let (false, Some(published)) = (pairs.is_empty(), published) {
-                quantities.push(Quantity { reading, published, pairs });
-            }
+            let ours = of.iter().map(|compared| read(compared, store)).collect();
+            let variants: Vec<Variant> = of.iter().map(|compared| compared.variant).collect();
+            let theirs: Vec<Option<f64>> = of.iter().map(|compared| compared.published).collect();
+            let ours = reading.among.apply(&variants, &theirs, ours);
+            let pairs = of.into_iter().zip(ours).map(|(compared, ours)| Pair { compared, ours }).collect();
+            let rows = all.iter().filter(|p| (&p.quantity, p.place) == (&published.quantity, published.place));
+            quantities.push(Quantity { reading, published, pairs, caveat: common_end(rows.map(note)) });
         }
         Comparison { quantities }
     }
 
     /// Tables for people.
-    pub fn text(&self, folder: &Path, left: usize) -> String {
-        let mut out = String::new();
-        for quantity in &self.quantities {
-            out += &quantity.text();
-            out.push('\n');
-        }
-        if left > 0 {
-            out += &format!("{left} runs are left; the same command goes on with them.\n");
-        }
-        out + &format!("Heat map: {}\n", folder.join("heat_map.svg").display())
+    pub fn text(&self) -> String {
+        self.quantities.iter().map(|quantity| quantity.text() + "\n").collect()
     }
 
     /// The same for programs.
     pub fn json(&self) -> Value {
         json!({
             "schema": "etalon-reproduce",
-            "schema_version": 1,
+            "schema_version": 2,
             "created": utc_now(),
             "quantities": self.quantities.iter().map(Quantity::json).collect::<Vec<_>>(),
         })
     }
+}
 
-    /// Schemes against quantities, published and ours, as GS25 Fig. 10; none where nothing is done.
-    pub fn heat_map(&self) -> Result<Option<Plot>, Failure> {
-        let mut rows: Vec<Variant> = Vec::new();
-        for variant in self.quantities.iter().flat_map(|quantity| quantity.pairs.iter().map(|pair| pair.variant)) {
-            if !rows.contains(&variant) {
-                rows.push(variant);
-            }
-        }
-        if self.quantities.is_empty() {
-            return Ok(None);
-        }
-        let matrix = |title: &str, of: &dyn Fn(&Pair) -> Option<f64>| HeatMatrix {
-            title: title.into(),
-            values: rows
-                .iter()
-                .map(|row| {
-                    let cell = |quantity: &Quantity| quantity.pairs.iter().find(|p| p.variant == *row).and_then(of);
-                    self.quantities.iter().map(cell).collect()
-                })
-                .collect(),
-        };
-        let map = HeatMap {
-            file: "heat_map.svg".into(),
-            title: "Schemes against quantities".into(),
-            caption: "Relative difference to the best scheme of each column; published on the left, ours on the right."
-                .into(),
-            rows: rows.iter().map(ToString::to_string).collect(),
-            columns: self
-                .quantities
-                .iter()
-                .map(|quantity| HeatColumn {
-                    name: quantity.reading.quantity.replace('_', " "),
-                    goal: quantity.published.better,
-                })
-                .collect(),
-            matrices: vec![matrix("published", &|p| p.published), matrix("ours", &|p| p.ours)],
-            cells: CellText::Differences,
-        };
-        Ok(Some(heat_map(&map)?))
-    }
+/// Ours, once all its runs are done.
+fn read(compared: &Compared, store: &Store) -> Option<f64> {
+    let records = compared.jobs.iter().map(|(along, job)| Some((*along, store.find(&job.id())?)));
+    let records: Vec<_> = records.collect::<Option<_>>()?;
+    compared.reading.of(&records, compared.jobs.first()?.1.setup.dimension)
 }
 
 impl Quantity<'_> {
-    /// The ranks of the values that there are, 1 for the best; equal values share the better rank.
-    fn ranks(&self, of: impl Fn(&Pair) -> Option<f64>) -> Vec<Option<usize>> {
-        ranks(self.published.better, &self.pairs.iter().map(of).collect::<Vec<_>>())
+    /// Whether the paper has it at several resolutions.
+    pub fn has_resolutions(&self) -> bool {
+        self.pairs.iter().any(|pair| pair.compared.resolution != self.pairs[0].compared.resolution)
+    }
+
+    /// The ranks of the published values and of ours.
+    fn ranks(&self) -> [Vec<Option<usize>>; 2] {
+        let of = |value: fn(&Pair) -> Option<f64>| {
+            ranks(self.published.better, &self.pairs.iter().map(value).collect::<Vec<_>>())
+        };
+        [of(|pair| pair.compared.published), of(|pair| pair.ours)]
     }
 
     fn text(&self) -> String {
@@ -134,13 +99,14 @@ impl Quantity<'_> {
         );
         let number = |value: Option<f64>| value.map_or_else(|| "-".into(), plain);
         let rank = |rank: Option<usize>| rank.map_or_else(|| "-".into(), |rank| rank.to_string());
-        let (theirs, ours) = (self.ranks(|p| p.published), self.ranks(|p| p.ours));
+        let [theirs, ours] = self.ranks();
         let mut rows = vec![["scheme", "published", "ours", "ours/published", "rank", "ours"].map(String::from)];
         for (k, pair) in self.pairs.iter().enumerate() {
-            let ratio = pair.ours.zip(pair.published).map(|(ours, theirs)| ours / theirs);
+            let published = pair.compared.published;
+            let ratio = pair.ours.zip(published).map(|(ours, theirs)| ours / theirs);
             rows.push([
-                pair.variant.to_string(),
-                number(pair.published),
+                self.label(pair),
+                number(published),
                 number(pair.ours),
                 number(ratio.filter(|ratio| ratio.is_finite())),
                 rank(theirs[k]),
@@ -148,38 +114,53 @@ impl Quantity<'_> {
             ]);
         }
         out += &columns(&rows);
-        for note in [Some(self.reading.note), self.published.note.as_deref()].into_iter().flatten() {
-            if !note.is_empty() {
-                out += &format!("Note: {}\n", note.trim());
+        for note in [self.reading.note, self.caveat].into_iter().filter(|note| !note.is_empty()) {
+            out += &format!("Note: {note}\n");
+        }
+        for pair in &self.pairs {
+            if let Some(said) = self.said_of(pair) {
+                out += &format!("The paper of {}: {said}\n", self.label(pair));
             }
         }
         out
     }
 
+    /// A variant with its resolution, where there are several.
+    fn label(&self, pair: &Pair) -> String {
+        match pair.compared.resolution.filter(|_| self.has_resolutions()) {
+            Some(resolution) => format!("{}, {resolution}", pair.compared.variant),
+            None => pair.compared.variant.to_string(),
+        }
+    }
+
+    /// What is said of this variant alone.
+    fn said_of<'b>(&self, pair: &Pair<'b>) -> Option<&'b str> {
+        let said = note(pair.compared.place).strip_suffix(self.caveat)?.trim();
+        (!said.is_empty()).then_some(said)
+    }
+
     fn json(&self) -> Value {
-        let (theirs, ours) = (self.ranks(|p| p.published), self.ranks(|p| p.ours));
-        let pairs: Vec<Value> = self
-            .pairs
-            .iter()
-            .enumerate()
-            .map(|(k, pair)| {
-                let mut entry = json!({
-                    "variant": pair.variant.as_str(),
-                    "command": format!("etalon run {} --alone", pair.run.job.id()),
-                });
-                for (key, value) in [("published", pair.published), ("ours", pair.ours)] {
-                    if let Some(value) = value {
-                        entry[key] = json!(value);
-                    }
+        let [theirs, ours] = self.ranks();
+        let entry = |(k, pair): (usize, &Pair)| {
+            let compared = pair.compared;
+            let commands = compared.jobs.iter().map(|(_, job)| format!("etalon run {} --alone", job.id()));
+            let mut entry = json!({
+                "variant": compared.variant.as_str(),
+                "commands": commands.collect::<Vec<_>>(),
+            });
+            let mut put = |key: &str, value: Option<Value>| {
+                if let Some(value) = value {
+                    entry[key] = value;
                 }
-                for (key, rank) in [("rank_published", theirs[k]), ("rank_ours", ours[k])] {
-                    if let Some(rank) = rank {
-                        entry[key] = json!(rank);
-                    }
-                }
-                entry
-            })
-            .collect();
+            };
+            put("resolution", compared.resolution.map(|resolution| json!(resolution)));
+            put("said", self.said_of(pair).map(|said| json!(said)));
+            put("published", compared.published.map(|value| json!(value)));
+            put("ours", pair.ours.map(|value| json!(value)));
+            put("rank_published", theirs[k].map(|rank| json!(rank)));
+            put("rank_ours", ours[k].map(|rank| json!(rank)));
+            entry
+        };
         json!({
             "quantity": self.reading.quantity,
             "scene": self.reading.scene.name(),
@@ -189,9 +170,28 @@ impl Quantity<'_> {
             "place": self.published.place.to_string(),
             "better": self.published.better.to_string(),
             "note": self.reading.note,
-            "variants": pairs,
+            "variants": self.pairs.iter().enumerate().map(entry).collect::<Vec<_>>(),
         })
     }
+}
+
+/// What a row of a table says beside its number: of the variant, then of all.
+fn note(published: &Published) -> &str {
+    published.note.as_deref().unwrap_or_default()
+}
+
+/// The words that all end with, from the beginning of a sentence on.
+fn common_end<'a>(notes: impl Iterator<Item = &'a str>) -> &'a str {
+    let both = |a: &'a str, b: &'a str| {
+        let same = a.chars().rev().zip(b.chars().rev()).take_while(|(a, b)| a == b);
+        let end = &a[a.len() - same.map(|(c, _)| c.len_utf8()).sum::<usize>()..];
+        match end.len() == a.len() || end.len() == b.len() {
+            true => end,
+            // What they share may begin within a sentence that differs.
+            false => end.find(". ").map_or("", |dot| &end[dot + 2..]),
+        }
+    };
+    notes.reduce(both).unwrap_or_default()
 }
 
 /// The rank of each value that there is, 1 for the best; equal values share the better rank.
@@ -205,6 +205,20 @@ fn ranks(goal: Goal, values: &[Option<f64>]) -> Vec<Option<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_all_rows_say_is_told_from_what_one_says() {
+        let end = |notes: &[&'static str]| common_end(notes.iter().copied());
+        assert_eq!(end(&["Noisy. Beware.", "Beware.", "Less noisy. Beware."]), "Beware.");
+        assert_eq!(
+            end(&["Said to be large. Beware. Really.", "Said to be enlarged. Beware. Really."]),
+            "Beware. Really."
+        );
+        assert_eq!(
+            (end(&["Large.", "Enlarged."]), end(&["Beware."]), end(&["", "Beware."]), end(&[])),
+            ("", "Beware.", "", "")
+        );
+    }
 
     #[test]
     fn ranks_follow_the_goal_and_skip_what_is_not_there() {

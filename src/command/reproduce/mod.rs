@@ -3,21 +3,26 @@
 //! | file | what lives there |
 //! |---|---|
 //! | `readings.rs` | which of our measurements stands beside which published number |
+//! | `series.rs` | how an error falls over several runs |
+//! | `variants.rs` | how what a paper compares is chosen here |
+//! | `conditions.rs` | how each scene is run |
 //! | `runs.rs` | the runs that takes |
 //! | `comparison.rs` | both numbers with their ranks |
+//! | `heat.rs` | the same as heat maps |
 
 mod comparison;
+mod conditions;
+mod heat;
 mod readings;
 mod runs;
+mod series;
+mod variants;
 
 use super::Done;
 use super::arguments::ReproduceArguments;
-use super::choices::Backend;
 use super::failure::Failure;
-use super::run::graphics::Graphics;
-use super::run::progress::note;
-use super::setup;
-use super::sweep::{Chances, Job, Store, work};
+use super::sweep::{Made, make};
+use crate::report::Plot;
 use comparison::Comparison;
 use etalon_spec::tables::published;
 use std::path::{Path, PathBuf};
@@ -28,33 +33,28 @@ const USUAL_MINUTES: f64 = 15.0;
 /// Makes the runs that are not made yet, compares, tells.
 pub fn reproduce(arguments: &ReproduceArguments) -> Result<Done, Failure> {
     let all = published().map_err(|error| Failure::Broken(format!("the published tables: {error}")))?;
-    let runs = runs::wanted(arguments, all)?;
-    let folder = arguments.out.clone().unwrap_or_else(|| PathBuf::from("etalon-out").join("reproduce"));
-    let level = setup::instructions(None)?;
-    let wanted = arguments.backend == Backend::Wgpu;
-    let graphics = Graphics::find(arguments.adapter.as_deref(), wanted);
-    if let Some(reason) = graphics.absent().filter(|_| wanted) {
-        return Err(Failure::BadInput(format!("--backend wgpu: {reason}")));
-    }
-    let mut store = Store::open(&folder.join("results.jsonl"))?;
-    let minutes = arguments.minutes.or((!arguments.paper_resolution).then_some(USUAL_MINUTES));
-    let chances = Chances { level, graphics: &graphics, budget_seconds: minutes.map(|minutes| minutes * 60.0) };
-    let jobs: Vec<Job> = runs.iter().map(|run| run.job.clone()).collect();
-    let pool = setup::threads(arguments.threads)?;
-    let left = pool.install(|| work(&jobs, &mut store, &chances))?;
-    if left > 0 {
-        note(&format!("{left} runs are left; the same command goes on with them"));
-    }
-    let comparison = Comparison::new(&runs, &store, all);
-    write(&comparison, &folder)?;
-    let text = match arguments.json {
+    let compared = runs::wanted(arguments, all)?;
+    let folder = arguments.sweep.out.clone().unwrap_or_else(|| PathBuf::from("etalon-out").join("reproduce"));
+    let minutes = (!arguments.paper_resolution).then_some(USUAL_MINUTES);
+    let Made { store, left, .. } = make(&runs::jobs_of(&compared), &folder, &arguments.sweep, minutes)?;
+    let comparison = Comparison::new(&compared, &store, all);
+    let plots = comparison.heat_maps()?;
+    write(&comparison, &plots, &folder)?;
+    let text = match arguments.sweep.json {
         true => super::to_text(&comparison.json())?,
-        false => comparison.text(&folder, left),
+        false => {
+            let mut text = comparison.text();
+            if left > 0 {
+                text += &format!("{left} runs are left; the same command goes on with them.\n");
+            }
+            let files: Vec<String> = plots.iter().map(|plot| folder.join(&plot.file).display().to_string()).collect();
+            text + &files.iter().map(|file| format!("Heat map: {file}\n")).collect::<String>()
+        }
     };
     Ok(Done::passed(text))
 }
 
-fn write(comparison: &Comparison, folder: &Path) -> Result<(), Failure> {
+fn write(comparison: &Comparison, plots: &[Plot], folder: &Path) -> Result<(), Failure> {
     let put = |name: &str, text: String| {
         let path = folder.join(name);
         std::fs::write(&path, text).map_err(|error| {
@@ -62,8 +62,5 @@ fn write(comparison: &Comparison, folder: &Path) -> Result<(), Failure> {
         })
     };
     put("reproduce.json", super::to_text(&comparison.json())?)?;
-    if let Some(plot) = comparison.heat_map()? {
-        put("heat_map.svg", plot.svg())?;
-    }
-    Ok(())
+    plots.iter().try_for_each(|plot| put(&plot.file, plot.svg()))
 }

@@ -1,108 +1,141 @@
-//! The runs that a comparison takes.
+//! The runs that the comparisons take.
 
-use super::readings::{READINGS, Reading};
+use super::conditions::Conditions;
+use super::readings::{READINGS, Reading, Runs};
+use super::variants::choices;
 use crate::command::arguments::{ReproduceArguments, SceneArguments};
 use crate::command::choices::{Backend, Precision};
 use crate::command::failure::Failure;
+use crate::command::run::progress::note;
 use crate::command::setup::Setup;
 use crate::command::sweep::Job;
-use etalon_reference::schemes::{Dissipation, Viscosity};
-use etalon_spec::tables::{Published, Setups, Test, Variant};
+use etalon_spec::tables::{Published, Variant};
+use std::collections::BTreeSet;
 
-/// A run, and which published numbers it stands beside.
-pub struct Run {
-    /// The run.
-    pub job: Job,
+/// A number beside which ours is set.
+pub struct Compared {
+    /// How ours is read.
+    pub reading: &'static Reading,
     /// The scheme or variant, as the paper calls it.
     pub variant: Variant,
-    /// How each of its quantities is read.
-    pub readings: Vec<&'static Reading>,
+    /// The paper's resolution, where the number belongs to one of several.
+    pub resolution: Option<usize>,
+    /// The paper's number, if it prints one.
+    pub published: Option<f64>,
+    /// Where the paper has it first.
+    pub place: &'static Published,
+    /// Our runs, each with the number of particles along the problem where that is what tells them apart, ascending.
+    pub jobs: Vec<(usize, Job)>,
 }
 
-/// The runs of the chosen tables: each scene with each of its variants once, however many quantities it measures.
-pub fn wanted(arguments: &ReproduceArguments, all: &[Published]) -> Result<Vec<Run>, Failure> {
-    let mut runs: Vec<Run> = Vec::new();
+/// All numbers of the chosen scenes, each once: what two tables of a paper share is the same number.
+pub fn wanted(arguments: &ReproduceArguments, all: &'static [Published]) -> Result<Vec<Compared>, Failure> {
+    let mut compared: Vec<Compared> = Vec::new();
+    let mut left_out = BTreeSet::new();
     for published in all {
         let Some(reading) = READINGS.iter().find(|reading| reading.quantity == published.quantity) else { continue };
-        let chosen = |scene: &etalon_reference::scenes::Name| reading.scene == *scene;
-        if !arguments.scenes.is_empty() && !arguments.scenes.iter().any(chosen) {
+        if !arguments.scenes.is_empty() && !arguments.scenes.contains(&reading.scene) {
             continue;
         }
-        let known = runs
-            .iter_mut()
-            .find(|run| run.job.setup.problem.name() == reading.scene && run.variant == published.scheme);
-        match known {
-            Some(run) if run.readings.iter().any(|r| r.quantity == reading.quantity) => {}
-            Some(run) => run.readings.push(reading),
+        if arguments.backend == Backend::Wgpu && Conditions::of(reading.scene)?.precision == Precision::Double {
+            left_out.insert(reading.scene.name());
+            continue;
+        }
+        let (variant, resolution) = (published.scheme, resolution(reading, published, all));
+        let same = |c: &&mut Compared| {
+            (c.reading.quantity, c.variant, c.resolution) == (reading.quantity, variant, resolution)
+        };
+        match compared.iter_mut().find(same) {
+            Some(known) => known.published = known.published.or(published.value),
             None => {
-                if let Some(job) = job(arguments, reading, published.scheme)? {
-                    runs.push(Run { job, variant: published.scheme, readings: vec![reading] });
-                }
+                let jobs = jobs(arguments, reading, variant, resolution)?;
+                let (place, published) = (published, published.value);
+                compared.push(Compared { reading, variant, resolution, published, place, jobs });
             }
         }
     }
-    match runs.is_empty() {
+    for scene in left_out {
+        note(&format!("left out: {scene} needs 64-bit floats, which WGSL does not have"));
+    }
+    match compared.is_empty() {
         true => {
             Err(Failure::BadInput("no published number belongs to these scenes; leave the names out for all".into()))
         }
-        false => Ok(runs),
+        false => Ok(compared),
     }
 }
 
-/// The run of a variant; none where it cannot be chosen.
-fn job(arguments: &ReproduceArguments, reading: &Reading, variant: Variant) -> Result<Option<Job>, Failure> {
-    let Some(choices) = choices(variant) else { return Ok(None) };
-    let name = reading.scene;
-    let most = name.dimensions().iter().copied().max();
+/// The runs that all of them take, each once.
+pub fn jobs_of(compared: &[Compared]) -> Vec<Job> {
+    let mut jobs: Vec<(String, &Job)> = Vec::new();
+    for (_, job) in compared.iter().flat_map(|compared| &compared.jobs) {
+        let id = job.id();
+        if jobs.iter().all(|(known, _)| *known != id) {
+            jobs.push((id, job));
+        }
+    }
+    jobs.into_iter().map(|(_, job)| job.clone()).collect()
+}
+
+/// The resolution of a number of which there are several; the lowest where the paper has no number and so says none.
+fn resolution(reading: &Reading, published: &Published, all: &[Published]) -> Option<usize> {
+    let lowest = || all.iter().filter(|p| p.quantity == published.quantity).filter_map(|p| p.resolution).min();
+    match reading.runs {
+        Runs::Published => published.resolution.or_else(lowest).map(|resolution| resolution as usize),
+        Runs::One | Runs::Series { .. } => None,
+    }
+}
+
+/// The runs of a variant.
+fn jobs(
+    arguments: &ReproduceArguments,
+    reading: &Reading,
+    variant: Variant,
+    resolution: Option<usize>,
+) -> Result<Vec<(usize, Job)>, Failure> {
+    let along: Vec<Option<usize>> = match reading.runs {
+        Runs::One => vec![None],
+        Runs::Published => vec![resolution],
+        Runs::Series { paper, .. } if arguments.paper_resolution => paper.iter().copied().map(Some).collect(),
+        Runs::Series { usual, .. } => usual.iter().copied().map(Some).collect(),
+    };
+    let scaled = |along: usize| (along as f64 * arguments.size) as usize;
+    along.into_iter().map(|n| Ok((n.map_or(0, scaled), job(arguments, reading, variant, n)?))).collect()
+}
+
+fn job(
+    arguments: &ReproduceArguments,
+    reading: &Reading,
+    variant: Variant,
+    along: Option<usize>,
+) -> Result<Job, Failure> {
+    let (name, conditions) = (reading.scene, Conditions::of(reading.scene)?);
+    let setup = |dimension: usize, particles: usize| {
+        let mut base = SceneArguments {
+            scene: name.to_string(),
+            dim: Some(dimension),
+            n: Some(particles),
+            end_time: conditions.end_time,
+            ..choices(variant)?
+        };
+        let word = |(key, value): &(&str, &str)| (key.to_string(), toml::Value::String(value.to_string()));
+        base.set.extend(conditions.set.iter().map(word));
+        Setup::new(&base)
+    };
     let dimension = match arguments.paper_resolution {
-        true => most.unwrap_or(reading.dimension),
-        false => arguments.dim.unwrap_or(reading.dimension),
+        true => conditions.paper_dimension,
+        false => arguments.dim.unwrap_or(conditions.dimension),
     };
-    let standard = name.standard(dimension)?;
-    let particles = match arguments.paper_resolution {
-        true => of_paper(reading)?.unwrap_or(standard.method().particles),
-        false => ((standard.method().particles as f64 * arguments.size) as usize).max(1),
-    };
-    let mut base = SceneArguments { scene: name.to_string(), dim: Some(dimension), n: Some(particles), ..choices };
-    let word = |(key, value): &(&str, &str)| (key.to_string(), toml::Value::String(value.to_string()));
-    base.set.extend(reading.set.iter().map(word));
+    let particles = conditions.particles(dimension, along, arguments.paper_resolution, arguments.size)?;
     let precision = match (arguments.backend, arguments.precision) {
-        (Backend::Wgpu, Precision::Double) => {
+        (Backend::Wgpu, Some(Precision::Double)) => {
             return Err(Failure::BadInput(
                 "--backend wgpu --precision f64: WGSL has no 64-bit floats; use --precision f32".into(),
             ));
         }
-        (_, precision) => precision,
+        (Backend::Wgpu, None) => Precision::Single,
+        (_, precision) => precision.unwrap_or(conditions.precision),
     };
-    Ok(Some(Job { setup: Setup::new(&base)?, combination: (arguments.backend, precision) }))
-}
-
-/// How a variant is chosen.
-fn choices(variant: Variant) -> Option<SceneArguments> {
-    let scheme = |name: &str| name.parse::<Dissipation>().ok();
-    match variant {
-        Variant::Scheme(name) => {
-            Some(SceneArguments { scheme: Some(scheme(name.as_str())?), ..SceneArguments::default() })
-        }
-        Variant::Membrane(name) => {
-            let scheme = scheme(name.as_str())?;
-            // The coefficients of Table 8 are not all those of Table 1.
-            let viscosity = Viscosity::MEMBRANE.into_iter().find(|v| v.dissipation == scheme)?;
-            let alpha = ("method.alpha".to_string(), toml::Value::Float(viscosity.alpha));
-            Some(SceneArguments { scheme: Some(scheme), set: vec![alpha], ..SceneArguments::default() })
-        }
-        Variant::Rung(_) => {
-            let rung = ("method.rung".to_string(), toml::Value::String(variant.as_str().into()));
-            Some(SceneArguments { set: vec![rung], ..SceneArguments::default() })
-        }
-        Variant::GradH(_) | Variant::Drag(_) => None,
-    }
-}
-
-/// The paper's particle number; none where it does not say.
-fn of_paper(reading: &Reading) -> Result<Option<usize>, Failure> {
-    let setups = Setups::load().map_err(|error| Failure::Broken(format!("GS25 Table 2: {error}")))?;
-    let test =
-        Test::ALL.into_iter().find(|test| etalon_spec::tables::Scene::from(*test).as_str() == reading.scene.name());
-    Ok(test.map(|test| (setups.get(test).particles_in_millions * 1e6) as usize))
+    let job = Job::new(setup(dimension, particles)?, (arguments.backend, precision));
+    Ok(Job { weight: job.weight * conditions.cost, ..job })
 }

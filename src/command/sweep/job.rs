@@ -2,7 +2,7 @@
 
 use crate::command::explain::work_per_update;
 use crate::command::failure::Failure;
-use crate::command::memory::Memory;
+use crate::command::memory::{self, Memory};
 use crate::command::restarts::{Restarts, USUAL_SECONDS};
 use crate::command::run::graphics::Graphics;
 use crate::command::run::plan::Combination;
@@ -27,6 +27,8 @@ pub struct Job {
     pub setup: Setup,
     /// What runs it, in which precision.
     pub combination: Combination,
+    /// About how much work it is beside others of its sweep.
+    pub weight: f64,
 }
 
 /// What is remembered of a run.
@@ -65,6 +67,16 @@ impl Record {
         self.measured.get(name)?.iter().copied().reduce(f64::max)
     }
 
+    /// Its mean over time from a time on, by straight lines between the values; none for fewer than two.
+    pub fn mean(&self, name: &str, since: f64) -> Option<f64> {
+        let first = self.time.partition_point(|time| *time < since);
+        let (time, value) = (self.time.get(first..)?, self.measured.get(name)?.get(first..)?);
+        let pieces = time.windows(2).zip(value.windows(2));
+        let sum: f64 = pieces.map(|(t, v)| 0.5 * (t[1] - t[0]) * (v[0] + v[1])).sum();
+        let long = time.last()? - time.first()?;
+        (long > 0.0).then(|| sum / long)
+    }
+
     /// How fast it changes around a time: the slope of the line through all values at most `within` away from it, by least squares. None if there are fewer
     /// than two.
     pub fn rate(&self, name: &str, at: f64, within: f64) -> Option<f64> {
@@ -79,10 +91,37 @@ impl Job {
         format!("{} --backend {backend} --precision {precision}", self.setup.options())
     }
 
-    /// About how much work it is, in particle updates: each step is shorter the closer particles lie.
-    pub fn size(&self) -> f64 {
-        let particles = self.setup.method().particles as f64;
-        particles.powf(1.0 + 1.0 / self.setup.dimension as f64) * self.setup.end_time
+    /// A run whose weight counts pairs of particles: each step is shorter the closer particles lie.
+    pub fn new(setup: Setup, combination: Combination) -> Self {
+        let (particles, neighbours) = (setup.method().particles as f64, setup.method().neighbours);
+        let weight = particles.powf(1.0 + 1.0 / setup.dimension as f64) * neighbours * setup.end_time;
+        Job { setup, combination, weight }
+    }
+
+    /// In a few words.
+    pub fn name(&self) -> String {
+        let method = self.setup.method();
+        let (scene, scheme) = (self.setup.problem.name(), method.viscosity.dissipation);
+        format!("{scene}, {scheme}, {} particles", method.particles)
+    }
+
+    /// Refuses a run that does not fit into memory.
+    pub fn fits(&self) -> Result<(), Failure> {
+        let each = match self.setup.dimension {
+            1 => self.bytes::<1>(),
+            2 => self.bytes::<2>(),
+            _ => self.bytes::<3>(),
+        };
+        let particles = self.setup.method().particles;
+        memory::check(&format!("--n {particles}"), particles, each)
+    }
+
+    /// Memory of a particle.
+    fn bytes<const D: usize>(&self) -> f64 {
+        let pipeline = Pipeline::of_scene::<D>(&self.setup.physics());
+        let (backend, precision) = self.combination;
+        let neighbours = self.setup.method().neighbours.min(1000.0);
+        Memory::of::<D>(backend, precision, &pipeline, neighbours).total() + memory::beside::<D>()
     }
 
     /// Where its restart file lies in a folder of results: each run has a place of its own, for another may be made before it goes on.
@@ -189,5 +228,9 @@ mod tests {
         assert!(record.rate("mass", 0.5, 0.4).unwrap().abs() < 1e-12);
         assert_eq!((record.rate("mass", 9.0, 0.4), record.rate("heat", 1.0, 1.0)), (None, None));
         assert_eq!((record.last("mass"), record.largest("mass")), (Some(2.0), Some(5.0)));
+        // 5 to t = 1, then down to 2 in a straight line.
+        assert!((record.mean("mass", 0.0).unwrap() - 4.25).abs() < 1e-12);
+        assert!((record.mean("mass", 1.5).unwrap() - 2.75).abs() < 1e-12);
+        assert_eq!((record.mean("mass", 2.0), record.mean("heat", 0.0)), (None, None));
     }
 }

@@ -3,13 +3,16 @@
 //! | file | what lives there |
 //! |---|---|
 //! | `job.rs` | one run: a scene with all choices, a backend, a precision; what is remembered of it |
+//! | `make.rs` | many of them, as the commands ask for it |
 //! | `store.rs` | the file of what is done |
 //! | `work.rs` | what is left to do, how long it will take, doing it |
 
 mod job;
+mod make;
 mod store;
 mod work;
 
 pub use job::{Job, Record};
+pub use make::{Made, make};
 pub use store::Store;
-pub use work::{Chances, done_of, work};
+pub use work::done_of;

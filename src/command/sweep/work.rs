@@ -1,4 +1,4 @@
-//! Doing what is left, smallest first, with an estimate of the time it will take.
+//! Doing what is left, smallest first, with an estimate of the time it will take: the work that is left at the pace of what was done.
 
 use super::{Job, Record, Store};
 use crate::command::failure::Failure;
@@ -13,7 +13,7 @@ pub struct Chances<'a> {
     pub level: Level,
     /// The adapter, or why there is none.
     pub graphics: &'a Graphics,
-    /// Wall-clock time to stop beginning new runs at, in seconds; none for no limit.
+    /// Wall-clock time by which a run must be expected to end to be begun, in seconds; none for no limit.
     pub budget_seconds: Option<f64>,
 }
 
@@ -22,31 +22,32 @@ pub struct Chances<'a> {
 /// A run that breaks down is told and left out; the others go on.
 pub fn work(jobs: &[Job], store: &mut Store, with: &Chances) -> Result<usize, Failure> {
     let mut left: Vec<&Job> = jobs.iter().filter(|job| store.find(&job.id()).is_none()).collect();
-    left.sort_by(|a, b| a.size().total_cmp(&b.size()));
+    left.sort_by(|a, b| a.weight.total_cmp(&b.weight));
     if left.len() < jobs.len() {
         note(&format!("{} of {} runs are done already", jobs.len() - left.len(), jobs.len()));
     }
     let clock = std::time::Instant::now();
-    let (mut done_size, total) = (0.0, left.iter().map(|job| job.size()).sum::<f64>());
+    let (mut done, mut rest) = (0.0, left.iter().map(|job| job.weight).sum::<f64>());
     for (number, job) in left.iter().enumerate() {
         let spent = clock.elapsed().as_secs_f64();
-        // The first is begun in any case: a call that does nothing would never come to an end.
-        if number > 0 && with.budget_seconds.is_some_and(|budget| spent > budget) {
-            return Ok(left.len() - number);
+        if number > 0 {
+            let pace = spent / done;
+            // The first is begun in any case: a call that does nothing would never come to an end.
+            if with.budget_seconds.is_some_and(|budget| spent + pace * job.weight > budget) {
+                return Ok(left.len() - number);
+            }
+            note(&format!("run {} of {}, about {} left", number + 1, left.len(), duration(pace * rest)));
         }
-        if done_size > 0.0 {
-            let rest = spent / done_size * (total - done_size);
-            note(&format!("run {} of {}, about {} left", number + 1, left.len(), duration(rest)));
-        }
-        let label = format!("{} of {}", number + 1, left.len());
-        match job.run(with.level, with.graphics, &label, store.folder()) {
+        let label = format!("{} of {}: {}", number + 1, left.len(), job.name());
+        match job.fits().and_then(|()| job.run(with.level, with.graphics, &label, store.folder())) {
             Ok(record) => {
                 store.add(record)?;
                 job.done(with.level, store.folder());
             }
             Err(error) => note(&format!("left out: {}: {error}", job.id())),
         }
-        done_size += job.size();
+        done += job.weight;
+        rest -= job.weight;
     }
     Ok(0)
 }
