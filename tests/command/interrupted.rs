@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 /// A restart file after every step.
 const ALWAYS: &str = "1e-9";
 
-fn tube<'a>(out: &'a str, restart_every: &'a str, n: &'a str) -> Vec<&'a str> {
-    let what = ["run", "sod", "--dim", "1", "--n", n, "--backend", "simd", "--precision", "f64", "--alone"];
+fn implosion<'a>(out: &'a str, restart_every: &'a str, n: &'a str) -> Vec<&'a str> {
+    let what = ["run", "noh", "--dim", "1", "--n", n, "--backend", "simd", "--precision", "f64", "--alone"];
     [&what[..], &["--scheme", "AVSW", "--out", out, "--restart-every", restart_every]].concat()
 }
 
@@ -18,13 +18,13 @@ fn tube<'a>(out: &'a str, restart_every: &'a str, n: &'a str) -> Vec<&'a str> {
 #[test]
 fn an_interrupted_run_goes_on_bit_for_bit() {
     let place = Place::new("interrupted");
-    let whole = place.etalon(&tube("whole", "0", "400"));
+    let whole = place.etalon(&implosion("whole", "0", "400"));
     assert_eq!(code(&whole), Some(0), "{}", stderr(&whole));
     assert_eq!(place.listing(), ["whole"]);
 
     let restart = place.path("stopped.restart/simd_f64.h5");
     let mut run = Command::new(env!("CARGO_BIN_EXE_etalon"))
-        .args(tube("stopped", ALWAYS, "400"))
+        .args(implosion("stopped", ALWAYS, "400"))
         .current_dir(place.path(""))
         .stderr(Stdio::null())
         .spawn()
@@ -38,13 +38,13 @@ fn an_interrupted_run_goes_on_bit_for_bit() {
     run.wait().unwrap();
     assert!(!place.path("stopped").exists(), "the run was over before it could be stopped");
 
-    let other = place.etalon(&tube("stopped", ALWAYS, "401"));
+    let other = place.etalon(&implosion("stopped", ALWAYS, "401"));
     assert_eq!(code(&other), Some(2));
     for words in ["simd_f64.h5", "it was made with", "remove the file"] {
         assert!(stderr(&other).contains(words), "{words} is missing in {}", stderr(&other));
     }
 
-    let resumed = place.etalon(&tube("stopped", "300", "400"));
+    let resumed = place.etalon(&implosion("stopped", "300", "400"));
     assert_eq!(code(&resumed), Some(0), "{}", stderr(&resumed));
     assert!(stderr(&resumed).contains("goes on from t = "), "{}", stderr(&resumed));
     assert_eq!(place.listing(), ["stopped", "whole"]);
