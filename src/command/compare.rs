@@ -25,7 +25,11 @@ pub fn compare(arguments: &CompareArguments) -> Result<Done, Failure> {
     if let Some(folder) = &arguments.out {
         check_folder(folder)?;
     }
-    let (a, b) = (Side::read(&arguments.first)?, Side::read(&arguments.second)?);
+    let (mut a, mut b) = (Side::read(&arguments.first)?, Side::read(&arguments.second)?);
+    if a.name == b.name {
+        // Two runs of one kind name their files alike.
+        [a.name, b.name] = [&a, &b].map(|side| side.path.display().to_string());
+    }
     let options = Options {
         by: arguments.by,
         within: arguments.within,
@@ -51,18 +55,16 @@ pub fn compare(arguments: &CompareArguments) -> Result<Done, Failure> {
 /// A snapshot and where it is from.
 struct Side<'a> {
     path: &'a Path,
+    /// For legends: the file's name, without its folders if that tells both sides apart.
+    name: String,
     format: Format,
     snapshot: Snapshot,
 }
 
 impl<'a> Side<'a> {
     fn read(path: &'a Path) -> Result<Self, Failure> {
-        Ok(Side { path, format: Format::of_file(path)?, snapshot: Snapshot::read(path)? })
-    }
-
-    /// The file's name, without its folders.
-    fn name(&self) -> String {
-        self.path.file_name().map_or_else(|| self.path.display().to_string(), |name| name.to_string_lossy().into())
+        let name = path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into());
+        Ok(Side { path, name, format: Format::of_file(path)?, snapshot: Snapshot::read(path)? })
     }
 
     fn json(&self) -> Value {
@@ -176,7 +178,7 @@ fn plots(a: &Side, b: &Side, found: &Comparison, along: Along) -> Result<Vec<Plo
     let mut plots = Vec::new();
     for profile in &found.profiles {
         let of = |side: &Side, value: &dyn Fn(&crate::snapshot::compare::Bin) -> Option<[f64; 2]>| Curve {
-            label: side.name(),
+            label: side.name.clone(),
             points: profile
                 .bins
                 .iter()
@@ -193,7 +195,7 @@ fn plots(a: &Side, b: &Side, found: &Comparison, along: Along) -> Result<Vec<Plo
         let title = format!("{}: difference{unit}", profile.name);
         let file = format!("difference_{}.svg", profile.name);
         let difference =
-            Curve { label: format!("{} - {}", b.name(), a.name()), ..of(b, &|bin| bin.difference().map(|d| [d, 0.0])) };
+            Curve { label: format!("{} - {}", b.name, a.name), ..of(b, &|bin| bin.difference().map(|d| [d, 0.0])) };
         let caption = "Difference of the means, where both have particles.";
         plots
             .push(report::curves(Words { file: &file, title: &title, caption, x_label: along.name() }, &[difference])?);

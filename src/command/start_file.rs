@@ -1,6 +1,7 @@
 //! Particles that a user made, read from comma-separated values.
 
 use super::failure::Failure;
+use crate::snapshot::csv_problem;
 use csv::{ReaderBuilder, StringRecord, Trim};
 use etalon_reference::particles::Particle;
 use std::io::Read;
@@ -41,7 +42,8 @@ impl StartFile {
 
     fn parse(path: &Path, dimension: usize, file: impl Read) -> Result<Self, Failure> {
         let shown = path.display();
-        let unreadable = |error: csv::Error| Failure::BadInput(format!("--start-file {shown}: {}", reason(&error)));
+        let unreadable =
+            |error: csv::Error| Failure::BadInput(format!("--start-file {shown}: {}", csv_problem(&error)));
         let mut reader = ReaderBuilder::new().comment(Some(b'#')).trim(Trim::All).from_reader(file);
         let columns = Columns::of(reader.headers().map_err(unreadable)?, dimension)
             .map_err(|text| Failure::BadInput(format!("--start-file {shown}: {text}")))?;
@@ -166,22 +168,6 @@ impl Columns {
             };
         }
         Ok(particle)
-    }
-}
-
-/// What went wrong, in words.
-fn reason(error: &csv::Error) -> String {
-    match error.kind() {
-        csv::ErrorKind::Io(error) => format!("it cannot be read ({error})"),
-        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
-            let line = pos.as_ref().map_or(0, csv::Position::line);
-            format!("line {line} has {len} values where the first line names {expected_len}; was the file cut short?")
-        }
-        csv::ErrorKind::Utf8 { pos, .. } => {
-            let line = pos.as_ref().map_or(0, csv::Position::line);
-            format!("line {line} is not text (UTF-8); is it a table of comma-separated values?")
-        }
-        _ => error.to_string(),
     }
 }
 

@@ -29,14 +29,14 @@ pub fn read(path: &Path) -> Result<Snapshot, SnapshotError> {
     let open = || std::fs::File::open(path).map_err(SnapshotError::io("read", path));
     let comments = Comments::read(std::io::BufReader::new(open()?));
     let mut reader = ReaderBuilder::new().comment(Some(b'#')).trim(Trim::All).from_reader(open()?);
-    let names: Vec<String> = reader.headers().map_err(|e| bad(reason(&e)))?.iter().map(String::from).collect();
+    let names: Vec<String> = reader.headers().map_err(|e| bad(problem(&e)))?.iter().map(String::from).collect();
     if !names.iter().any(|name| name == AXES[0]) {
         let found = names.join(", ");
         return Err(bad(format!("there is no column `x` in its first line, which has {found}; a snapshot needs one")));
     }
     let (mut columns, mut ids) = (vec![Vec::new(); names.len()], Vec::new());
     let mut record = StringRecord::new();
-    while reader.read_record(&mut record).map_err(|e| bad(reason(&e)))? {
+    while reader.read_record(&mut record).map_err(|e| bad(problem(&e)))? {
         let line = record.position().map_or(0, Position::line);
         for ((name, text), values) in names.iter().zip(&record).zip(&mut columns) {
             if name == ID {
@@ -95,8 +95,8 @@ impl Comments {
     }
 }
 
-/// What went wrong, in words.
-pub(super) fn reason(error: &::csv::Error) -> String {
+/// What is wrong with a table, in words.
+pub fn problem(error: &::csv::Error) -> String {
     let line = |pos: &Option<Position>| pos.as_ref().map_or(0, Position::line);
     match error.kind() {
         ErrorKind::Io(error) => format!("it cannot be read ({error})"),

@@ -34,6 +34,7 @@ mod vtu;
 
 pub use atomic::write_bytes as write_file;
 pub use capture::capture;
+pub(crate) use csv::problem as csv_problem;
 pub use error::SnapshotError;
 pub use format::Format;
 pub use table::{Column, Frame, PARTICLE_TYPE, Snapshot};

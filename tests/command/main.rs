@@ -1,5 +1,6 @@
 //! The program as users run it: what it prints, what it leaves, how it refuses.
 
+mod compare;
 mod documented;
 mod equations;
 mod interrupted;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the HDF5 files beside it, with the C library as other codes use it: python3 tests/data/make.py (needs h5py).
 
-With `read FILE` it prints instead what h5py finds in a file, as JSON: tests/compare.rs holds our files against that.
+With `read FILE` it prints instead what h5py finds in a file, as JSON: tests/command/compare.rs holds our files against that.
 """
 
 import json

@@ -1,11 +1,13 @@
 //! DUSTYBOX in one, two and three dimensions.
 
+use crate::on;
 use etalon_kernels_gen::Component;
 use etalon_reference::engine::{Engine, PlainEngine};
 use etalon_reference::equations::double_hump::double_hump;
 use etalon_reference::fields;
+use etalon_reference::passes::Physics;
 use etalon_reference::scenes::dustybox::DustyBox;
-use etalon_reference::schemes::{Drag, DragReconstruction};
+use etalon_reference::schemes::{Drag, DragReconstruction, Rung};
 use etalon_reference::simulation::Simulation;
 
 /// What a lattice makes of `nu int (r_x/r)^2 D dV = 1`, for a particle `shift` spacings beside it along x: least and most over all shifts.
@@ -35,9 +37,14 @@ fn lattice_factor<const D: usize>(scene: &DustyBox, h_in_spacings: f64) -> [f64;
 /// z^3/4 + O(z^4)` for `z = dt / t_s`, so that a decay by `e^-z` is off by `(1/4 + 1/6) z^3`, over a time `t` by `(5/12) z^2 t / t_s`; twice that
 /// leaves room for the next order.
 fn decays<const D: usize>(scene: DustyBox, until: f64) {
+    decays_with::<D>(scene, scene.physics(), until);
+}
+
+/// The same with another physics than the scene's own.
+fn decays_with<const D: usize>(scene: DustyBox, physics: Physics, until: f64) {
     let set = scene.particles::<D>().unwrap();
     let half = set.len() / 2;
-    let mut simulation = Simulation::new(PlainEngine::<f64, D>::new(&set), scene.physics()).unwrap();
+    let mut simulation = Simulation::new(PlainEngine::<f64, D>::new(&set), physics).unwrap();
     let mut longest = 0.0_f64;
     while simulation.time() < until {
         longest = longest.max(simulation.step(until).unwrap());
@@ -95,6 +102,17 @@ fn decays<const D: usize>(scene: DustyBox, until: f64) {
     let tolerance = 2.0 * 0.25 * z_squared * due;
     assert!((heat - lost).abs() < tolerance, "{D}-D: {heat} gained, {lost} lost, tolerance {tolerance:e}");
     assert!((heat / due - 1.0).abs() < 0.05, "{D}-D: heat {heat}, exact {due}");
+}
+
+/// Gradients and volume elements are none of drag's business where nothing varies.
+#[test]
+fn the_difference_decays_on_every_rung_of_the_ladder() {
+    for &rung in Rung::ALL {
+        let scene = DustyBox { across: 32, ..DustyBox::standard(1) };
+        decays_with::<1>(scene, on(rung, scene.physics()), 0.5);
+    }
+    let scene = DustyBox { across: 12, ..DustyBox::standard(2) };
+    decays_with::<2>(scene, on(Rung::Standard, scene.physics()), 0.2);
 }
 
 #[test]

@@ -18,11 +18,21 @@ use etalon_reference::engine::{Engine, PlainEngine};
 use etalon_reference::particles::{Particle, ParticleSet};
 use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
-use etalon_reference::schemes::{CommonPoint, Drag, DragReconstruction, SlopeLimiter};
+use etalon_reference::schemes::{CommonPoint, Drag, DragReconstruction, Rung, SlopeLimiter, Viscosity};
 
 /// A physics with this drag and few neighbours.
 fn physics(drag: Drag) -> Physics {
     Physics { neighbours: 50.0, drag: Some(drag), ..Physics::STANDARD }
+}
+
+/// The same physics on a rung of C25's ladder.
+fn on(rung: Rung, physics: Physics) -> Physics {
+    Physics {
+        gradients: rung.gradients(),
+        volume_element: rung.volume_element(),
+        viscosity: Viscosity::of(rung.dissipation()),
+        ..physics
+    }
 }
 
 /// Every reconstruction that conserves, with and without the entropy fix.

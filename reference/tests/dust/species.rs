@@ -1,13 +1,13 @@
 //! Without drag each species is alone.
 
-use crate::{physics, run, together, two_clouds};
+use crate::{on, physics, run, together, two_clouds};
 use etalon_kernels_gen::components;
 use etalon_reference::engine::Engine;
 use etalon_reference::fields;
 use etalon_reference::particles::ParticleSet;
 use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
-use etalon_reference::schemes::{Dissipation, Drag, GradH, Viscosity};
+use etalon_reference::schemes::{Dissipation, Drag, GradH, Rung, Viscosity};
 
 /// Every number of the gas is, to the last bit, what it is without dust: a masked pair adds zero, and the others keep their order. The
 /// step alone may be shorter, as signals pass between the two species.
@@ -42,6 +42,18 @@ fn without_drag_gas_does_not_see_dust() {
         }
     }
     gas_is_as_without_dust::<3>(physics(Drag::of(0.0)), 5);
+}
+
+/// The same on every rung of C25's ladder.
+#[test]
+fn without_drag_gas_does_not_see_dust_on_any_rung() {
+    for &rung in Rung::ALL {
+        for &grad_h in GradH::ALL {
+            let physics = Physics { grad_h, ..on(rung, physics(Drag::of(0.0))) };
+            gas_is_as_without_dust::<1>(physics, 3);
+            gas_is_as_without_dust::<2>(physics, 4);
+        }
+    }
 }
 
 /// The dust's densities are those it would have as the only gas, and nothing moves or heats it.

@@ -74,6 +74,14 @@ fn a_spectrum_without_a_bottleneck_says_so() {
         value(line, &rest, name).expect_err("gas at rest has none");
     }
     assert!(end_of(line, &rest).curves.is_empty(), "nothing to draw of gas at rest");
+    // What rounding leaves in shells that nothing has reached is no spectrum.
+    let calm = waves(64, |k| if k < 4.0 { 1.0 } else { 1e-30 });
+    for name in ["k_max", "spectrum_slope"] {
+        let why = value(line, &calm, name).unwrap_err();
+        assert!(why.contains("k = 4") && why.contains("run for longer"), "{why}");
+    }
+    let drawn = end_of(line, &calm).curves.into_iter().find(|curve| curve.name == "compensated_spectrum").unwrap();
+    assert_eq!(drawn.points.len(), 3);
     let few = waves(20, |k| k.powf(-2.0));
     let why = value(line, &few, "spectrum_slope").unwrap_err();
     assert!(why.contains("take 21 particles a side"), "{why}");

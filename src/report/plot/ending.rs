@@ -56,7 +56,7 @@ fn plot(report: &Report, name: &str) -> Result<Plot, ReportError> {
         Some(line) => format!("At the end. Broken: {}.", line.source),
         None => String::from("At the end. Runs that follow the reference lie on it."),
     };
-    sheet(&file(name), &title, caption, HEIGHT, |area| {
+    sheet(file(name), &title, caption, HEIGHT, |area| {
         let top = head(area, &title, &keys)?;
         write(area, &format!("↑ {}", words(&first.y)), (MARGIN, top + 4), &text(LABEL, INK, HPos::Left))?;
         let frame = Frame { top: top + 32, bottom: HEIGHT as i32 - FOOT, across, up };

@@ -9,7 +9,7 @@ use crate::schemes::{MachReading, Weighting};
 use crate::turbulence::density_pdf::density_pdf;
 use crate::turbulence::grid::VelocityGrid;
 use crate::turbulence::power_law::fit_power_law;
-use crate::turbulence::spectrum::{Bottleneck, Spectrum, velocity_spectrum};
+use crate::turbulence::spectrum::{Bottleneck, Shell, Spectrum, velocity_spectrum};
 use crate::turbulence::structure_function::{PairChoice, mach_numbers, structure_function};
 use crate::turbulence::{Bins, Snapshot, TurbulenceError};
 
@@ -29,6 +29,9 @@ const PER_OCTAVE: i32 = 4;
 /// How far from its mean a distribution is drawn, in standard deviations, and in how many intervals.
 const DRAWN: (f64, usize) = (5.0, 40);
 
+/// Shells with less of the whole energy hold what rounding has left: 1e-12 in velocities.
+const ROUNDING: f64 = 1e-24;
+
 /// A value, or why there is none.
 type Found = Result<f64, String>;
 
@@ -41,16 +44,15 @@ pub fn at_end<const D: usize>(state: &State, seed: u64) -> Result<AtEnd, SceneEr
     let across = (state.len() as f64).powf(1.0 / D as f64).round() as usize;
     let spectrum = VelocityGrid::nearest(&snapshot, across).and_then(|grid| velocity_spectrum(&grid));
     let scales = mach_by_length(&snapshot, state, across, seed);
-    let read = |found: &Result<Vec<(f64, f64)>, TurbulenceError>, range| match found {
-        Ok(points) => slope(points, range),
-        Err(error) => Err(error.to_string()),
-    };
-    let energies = spectrum.clone().map(|spectrum| spectrum.compensated(0.0));
     let lengths = (SIDE / CASCADE.1, SIDE / CASCADE.0);
+    let known = spectrum.as_ref().map_err(ToString::to_string);
     let values = vec![
-        spectrum.as_ref().map_err(ToString::to_string).and_then(bottleneck),
-        resolved(across).and_then(|()| read(&energies, CASCADE)),
-        read(&scales, lengths),
+        known.clone().and_then(bottleneck),
+        resolved(across).and(known).and_then(|spectrum| {
+            stirred(spectrum, CASCADE.1 as usize)?;
+            slope(&spectrum.compensated(0.0), CASCADE)
+        }),
+        scales.as_ref().map_err(ToString::to_string).and_then(|points| slope(points, lengths)),
     ];
     let flat = |points: &[(f64, f64)]| line(points, 0.0, CASCADE, "k^(-5/3), Kolmogorov");
     let rising = |points: &[(f64, f64)]| line(points, MACH_POWER, lengths, "l^(1/3), Kolmogorov; C25 appendix C");
@@ -60,8 +62,9 @@ pub fn at_end<const D: usize>(state: &State, seed: u64) -> Result<AtEnd, SceneEr
     let mach = Axis { name: "mach_number", label: "Mach number M(l)", unit: "", logarithmic: true };
     let mut curves = Vec::new();
     if let Ok(spectrum) = &spectrum {
+        let all = spectrum.compensated(KOLMOGOROV).into_iter().zip(spectrum.resolved());
         let points: Vec<(f64, f64)> =
-            spectrum.compensated(KOLMOGOROV).into_iter().filter(|point| point.1 > 0.0).collect();
+            all.filter(|(_, shell)| beyond_rounding(spectrum, shell)).map(|(point, _)| point).collect();
         let expected = (D == 3).then(|| flat(&points)).flatten();
         let label = "spectrum of the velocity, times k^(5/3)";
         curves.push(Curve { name: "compensated_spectrum", label, x: wave, y: energy, points, expected });
@@ -91,9 +94,26 @@ fn snapshot<const D: usize>(state: &State) -> Result<Snapshot<D>, SceneError> {
     Ok(Snapshot::new(domain, std::array::from_fn(encode), velocity, state.mass.clone())?)
 }
 
+fn beyond_rounding(spectrum: &Spectrum, shell: &Shell) -> bool {
+    shell.energy > ROUNDING * spectrum.total()
+}
+
+/// Whether the cascade has reached all waves up to this one.
+fn stirred(spectrum: &Spectrum, to: usize) -> Result<(), String> {
+    let within = |shell: &&Shell| (CASCADE.0 as usize..=to).contains(&shell.wave_number);
+    match spectrum.resolved().iter().filter(within).find(|shell| !beyond_rounding(spectrum, shell)) {
+        None => Ok(()),
+        Some(shell) => {
+            let k = shell.wave_number;
+            Err(format!("the waves of k = {k} have no more energy than rounding leaves: run for longer"))
+        }
+    }
+}
+
 /// Where the compensated spectrum is highest, if it is not at an end of what is looked at.
 fn bottleneck(spectrum: &Spectrum) -> Found {
     let (from, to) = (CASCADE.0 as usize, spectrum.resolved().last().map_or(0, |shell| shell.wave_number));
+    stirred(spectrum, to)?;
     match spectrum.bottleneck((from, to)) {
         Ok(Bottleneck { refined: Some(top), .. }) => Ok(top),
         Ok(Bottleneck { shell, refined: None }) => Err(format!(

@@ -1,47 +1,12 @@
 //! `etalon compare` as users run it, and snapshots as other programs write and read them.
 
-#[path = "command/documented.rs"]
-mod documented;
-
-use documented::Page;
+use super::documented::Page;
+use super::place::{Place, stderr, stdout};
 use etalon::snapshot::{Column, Format, Frame, Snapshot};
 use serde_json::Value;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-/// A folder of one test alone, removed at its end.
-struct Place(PathBuf);
-
-impl Place {
-    fn new(test: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("etalon-compare-{test}-{}", std::process::id()));
-        let _ = std::fs::remove_dir_all(&path);
-        std::fs::create_dir_all(&path).unwrap();
-        Place(path)
-    }
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.join(name)
-    }
-    fn compare(&self, arguments: &[&str]) -> Output {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_etalon"));
-        command.arg("compare").args(arguments).current_dir(&self.0).output().unwrap()
-    }
-}
-
-impl Drop for Place {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
-}
-
-fn stdout(output: &Output) -> &str {
-    std::str::from_utf8(&output.stdout).unwrap()
-}
-
-fn stderr(output: &Output) -> &str {
-    std::str::from_utf8(&output.stderr).unwrap()
-}
+use std::process::Command;
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name)
@@ -66,11 +31,11 @@ fn tube(error: f64) -> Snapshot {
 
 #[test]
 fn two_snapshots_are_compared_in_any_formats() {
-    let place = Place::new("formats");
+    let place = Place::new("compare-formats");
     tube(0.0).write(&place.path("a.hdf5"), Format::Hdf5).unwrap();
     for (name, format) in [("b.hdf5", Format::Hdf5), ("b.vtu", Format::Vtu), ("b.csv", Format::Csv)] {
         tube(0.25).write(&place.path(name), format).unwrap();
-        let output = place.compare(&["a.hdf5", name, "--tolerance", "0.01"]);
+        let output = place.etalon(&["compare", "a.hdf5", name, "--tolerance", "0.01"]);
         let table = stdout(&output);
         assert_eq!(output.status.code(), Some(1), "{name}: {table}{}", stderr(&output));
         assert!(table.contains("40 pairs by position") && table.contains("; all"), "{table}");
@@ -78,7 +43,7 @@ fn two_snapshots_are_compared_in_any_formats() {
         assert!(row.contains(" 7  "), "the particle is not named: {row}");
         assert!(table.contains("FAIL beyond 0.01: density\n"), "{table}");
         // HDF5 moves places to a box that begins at zero, and back.
-        let output = place.compare(&["a.hdf5", name, "--tolerance", "0.5"]);
+        let output = place.etalon(&["compare", "a.hdf5", name, "--tolerance", "0.5"]);
         assert_eq!(output.status.code(), Some(0), "{name}: {}", stdout(&output));
         assert!(stdout(&output).contains("within 0.5: every field"), "{}", stdout(&output));
     }
@@ -86,7 +51,7 @@ fn two_snapshots_are_compared_in_any_formats() {
 
 #[test]
 fn the_json_is_documented_and_the_plots_are_there() {
-    let place = Place::new("json");
+    let place = Place::new("compare-json");
     let (mut fewer, ids) = (tube(0.25).columns().to_vec(), (0..39).collect());
     fewer.iter_mut().for_each(|column| column.values.truncate(39));
     fewer.push(Column::new("mass", "M", vec![1.0; 39]));
@@ -97,7 +62,7 @@ fn the_json_is_documented_and_the_plots_are_there() {
     let mut page = Page::read("compare-schema.md");
     let arguments =
         ["a.hdf5", "b.csv", "--json", "--along", "r", "--bins", "12", "--out", "out", "--tolerance", "1e-3"];
-    let output = place.compare(&arguments);
+    let output = place.etalon(&[&["compare"], &arguments[..]].concat());
     let found: Value = serde_json::from_str(stdout(&output)).unwrap_or_else(|e| panic!("{e}: {}", stderr(&output)));
     page.check(&found);
     assert_eq!(output.status.code(), Some(1));
@@ -118,20 +83,21 @@ fn the_json_is_documented_and_the_plots_are_there() {
         assert!(svg.contains("a.hdf5") && svg.contains("b.csv"), "{file}");
     }
     // Again, into the same folder; not into one of something else.
-    let again = place.compare(&["a.hdf5", "b.csv", "--json", "--by", "position", "--within", "0.01", "--out", "out"]);
+    let again =
+        place.etalon(&["compare", "a.hdf5", "b.csv", "--json", "--by", "position", "--within", "0.01", "--out", "out"]);
     assert_eq!(again.status.code(), Some(0), "{}", stderr(&again));
     page.check(&serde_json::from_str(stdout(&again)).unwrap());
     page.all_seen();
-    let only_profiles = place.compare(&["a.hdf5", "b.csv", "--json", "--by", "profile"]);
+    let only_profiles = place.etalon(&["compare", "a.hdf5", "b.csv", "--json", "--by", "profile"]);
     page.check(&serde_json::from_str(stdout(&only_profiles)).unwrap());
-    let refused = place.compare(&["a.hdf5", "b.csv", "--out", "."]);
+    let refused = place.etalon(&["compare", "a.hdf5", "b.csv", "--out", "."]);
     assert_eq!(refused.status.code(), Some(2));
     assert_eq!(stderr(&refused), "etalon: --out .: it is not empty and holds no comparison; name another folder\n");
 }
 
 #[test]
 fn bad_input_gives_one_sentence_that_names_the_file() {
-    let place = Place::new("bad");
+    let place = Place::new("compare-bad");
     tube(0.0).write(&place.path("a.hdf5"), Format::Hdf5).unwrap();
     let whole = std::fs::read(place.path("a.hdf5")).unwrap();
     std::fs::write(place.path("cut.hdf5"), &whole[..whole.len() / 2]).unwrap();
@@ -157,7 +123,7 @@ fn bad_input_gives_one_sentence_that_names_the_file() {
         ),
         (&["a.hdf5", "a.hdf5", "--tolerance", "-1"], "etalon: --tolerance: it must not be negative\n"),
     ] {
-        let output = place.compare(arguments);
+        let output = place.etalon(&[&["compare"], arguments].concat());
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", stdout(&output));
         assert!(stderr(&output).starts_with(expected), "{arguments:?}: {}", stderr(&output));
         assert_eq!((stderr(&output).lines().count(), stdout(&output)), (1, ""), "{arguments:?}");
@@ -208,7 +174,7 @@ fn the_c_library_reads_what_we_write() {
         let _ = writeln!(std::io::stderr(), "SKIPPED: {python} has no h5py");
         return;
     }
-    let place = Place::new("h5py");
+    let place = Place::new("compare-h5py");
     let path = place.path("a.hdf5");
     tube(0.0).with_ids((100..140).collect()).unwrap().write(&path, Format::Hdf5).unwrap();
     let output = Command::new(&python).arg(data("make.py")).arg("read").arg(&path).output().unwrap();
