@@ -65,7 +65,8 @@ impl Comparison<'_> {
 }
 
 /// What is compared with each other: file, title, and which variants.
-const FAMILIES: [(&str, &str, fn(Variant) -> bool); 4] = [
+type Family = (&'static str, &'static str, fn(Variant) -> bool);
+const FAMILIES: [Family; 4] = [
     ("heat_map.svg", "Dissipation schemes", |variant| matches!(variant, Variant::Scheme(_))),
     ("heat_map_membrane.svg", "Schemes on the membrane", |variant| matches!(variant, Variant::Membrane(_))),
     ("heat_map_dust.svg", "Drag between gas and dust", |variant| matches!(variant, Variant::Drag(_))),
