@@ -92,6 +92,10 @@ impl Quantity<'_> {
 
     fn text(&self) -> String {
         let Published { paper, place, meaning, unit, time, better, .. } = self.published;
+        let better = match better {
+            Goal::Target(target) => format!("closer to {} is better", plain(*target)),
+            goal => goal.to_string(),
+        };
         let mut out = format!(
             "{}: {meaning} [{unit}], {time} ({} {place})\n{better}\n",
             self.reading.scene.title(),

@@ -65,18 +65,20 @@ impl Comparison<'_> {
 }
 
 /// What is compared with each other: file, title, and which variants.
-const FAMILIES: [(&str, &str, fn(Variant) -> bool); 4] = [
+type Family = (&'static str, &'static str, fn(Variant) -> bool);
+const FAMILIES: [Family; 4] = [
     ("heat_map.svg", "Dissipation schemes", |variant| matches!(variant, Variant::Scheme(_))),
     ("heat_map_membrane.svg", "Schemes on the membrane", |variant| matches!(variant, Variant::Membrane(_))),
     ("heat_map_dust.svg", "Drag between gas and dust", |variant| matches!(variant, Variant::Drag(_))),
     ("heat_map_ladder.svg", "Ingredients of a code", |variant| matches!(variant, Variant::Rung(_) | Variant::GradH(_))),
 ];
 
-/// The variants of a family, in the order in which they come.
+/// The variants of a family with a number in any column, in the order in which they come.
 fn variants(columns: &[Column], of: fn(Variant) -> bool) -> Vec<Variant> {
     let mut rows: Vec<Variant> = Vec::new();
-    for variant in columns.iter().flat_map(|(quantity, _)| quantity.pairs.iter().map(|pair| pair.compared.variant)) {
-        if of(variant) && !rows.contains(&variant) {
+    for pair in columns.iter().flat_map(|(quantity, _)| &quantity.pairs) {
+        let variant = pair.compared.variant;
+        if of(variant) && pair.compared.published.or(pair.ours).is_some() && !rows.contains(&variant) {
             rows.push(variant);
         }
     }
@@ -84,7 +86,7 @@ fn variants(columns: &[Column], of: fn(Variant) -> bool) -> Vec<Variant> {
 }
 
 fn heading((quantity, resolution): &Column) -> HeatColumn {
-    let name = quantity.reading.quantity.replace('_', " ");
+    let name = quantity.reading.quantity.replace('_', " ").replace(" l1", " L1");
     let name = match resolution.filter(|_| quantity.has_resolutions()) {
         Some(resolution) => format!("{name}, {resolution}"),
         None => name,
