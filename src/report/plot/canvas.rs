@@ -121,6 +121,8 @@ pub(super) enum Mark {
     Diamond(i32),
     /// A square, of that half-side.
     Square(i32),
+    /// A triangle that stands on its base, of that half-height.
+    Triangle(i32),
     /// A short upright bar, of that half-height.
     Bar(i32),
 }
@@ -140,6 +142,10 @@ pub(super) fn mark(area: &Area, mark: Mark, at: (i32, i32), colour: Pair) -> Dra
         Mark::Square(half) => {
             let corners = [(at.0 - half, at.1 - half), (at.0 + half, at.1 + half)];
             area.draw(&Rectangle::new(corners, colour.mix(0.7).filled()))
+        }
+        Mark::Triangle(half) => {
+            let corners = [(at.0, at.1 - half), (at.0 + half, at.1 + half), (at.0 - half, at.1 + half)];
+            area.draw(&Polygon::new(corners, colour.mix(0.8).filled()))
         }
         Mark::Bar(half) => {
             area.draw(&PathElement::new([(at.0, at.1 - half), (at.0, at.1 + half)], colour.stroke_width(4)))

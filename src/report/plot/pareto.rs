@@ -46,7 +46,8 @@ pub struct Pareto {
 }
 
 /// Marks by kind, in the order of first occurrence.
-const MARKS: [Mark; 4] = [Mark::Disc(9), Mark::Diamond(12), Mark::Square(8), Mark::Ring(8)];
+const MARKS: [Mark; 6] =
+    [Mark::Disc(9), Mark::Diamond(12), Mark::Square(8), Mark::Ring(8), Mark::Triangle(10), Mark::Bar(11)];
 /// Labels keep that far from the middle of a mark.
 const CLEAR: i32 = 16;
 
