@@ -1,6 +1,7 @@
 //! The command line, as typed.
 
 use super::choices::{Backend, Cost, Precision, Target};
+use super::restarts::USUAL_SECONDS;
 use crate::snapshot::compare::{Along, By};
 use clap::{Args, Parser, Subcommand};
 use etalon_reference::scenes::{Arrangement, Name};
@@ -148,7 +149,7 @@ pub struct RunArguments {
     pub adapter: Option<String>,
     /// Seconds of wall-clock time between two restart files, in DIR.restart beside the report's folder: after an interruption the same command
     /// goes on from them. 0 for none
-    #[arg(long, value_name = "SECONDS", default_value = "300", value_parser = number, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", default_value_t = USUAL_SECONDS, value_parser = number, allow_negative_numbers = true)]
     pub restart_every: f64,
     /// Folder of the report; a report that is there is replaced, any other folder refused [default: etalon-out/SCENE-Dd]
     #[arg(long, value_name = "DIR")]

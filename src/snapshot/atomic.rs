@@ -13,9 +13,7 @@ pub fn write(path: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> io::Result<
     let Some(name) = path.file_name() else {
         return Err(SnapshotError::file(path, "it is no name of a file"));
     };
-    let mut hidden = std::ffi::OsString::from(".");
-    hidden.push(name);
-    hidden.push(format!(".partial-{}", std::process::id()));
+    let hidden = format!("{}{}", begun(&name.to_string_lossy()), std::process::id());
     let fresh = Fresh(path.with_file_name(hidden));
     let filled = File::create(&fresh.0).map(BufWriter::new).and_then(|mut out| {
         fill(&mut out)?;
@@ -32,6 +30,11 @@ pub fn write(path: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> io::Result<
 /// As [`write`].
 pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), SnapshotError> {
     write(path, |out| out.write_all(bytes))
+}
+
+/// What the name of a file begins with that has been begun to take the place of `name`: a program that is killed leaves it behind.
+pub fn begun(name: &str) -> String {
+    format!(".{name}.partial-")
 }
 
 /// A file that is removed when it goes out of use; nothing to do once it has been renamed.

@@ -32,6 +32,7 @@ mod table;
 mod testing;
 mod vtu;
 
+pub(crate) use atomic::begun;
 pub use atomic::write_bytes as write_file;
 pub use capture::capture;
 pub(crate) use csv::problem as csv_problem;

@@ -174,6 +174,7 @@ impl Quantity<'_> {
             "place": self.published.place.to_string(),
             "better": self.published.better.to_string(),
             "note": self.reading.note,
+            "caveat": self.caveat,
             "variants": self.pairs.iter().enumerate().map(entry).collect::<Vec<_>>(),
         })
     }

@@ -2,6 +2,7 @@
 
 use super::series::{order, second_order_from, within_from};
 use crate::command::sweep::Record;
+use etalon_reference::scenes::wind_cloud::GROWTH_TIME;
 use etalon_reference::scenes::{Name, dustywave};
 use etalon_spec::tables::{Rung, Variant};
 
@@ -143,13 +144,13 @@ pub const READINGS: &[Reading] = &[
     one(
         "wind_cloud_destruction_rate",
         Name::WindCloud,
-        Read::Rate { of: "cloud_fraction", at: 5.2, within: 0.5 },
+        Read::Rate { of: "cloud_fraction", at: 1.8 * GROWTH_TIME, within: 0.5 },
         "the slope of M/M0 by least squares over t = 4.7 to 5.7, per unit of time, M0 being the mass measured at the start; none where the cloud is gone by then",
     ),
     one(
         "wind_cloud_later_destruction_rate",
         Name::WindCloud,
-        Read::Rate { of: "cloud_fraction", at: 5.8, within: 0.5 },
+        Read::Rate { of: "cloud_fraction", at: 2.0 * GROWTH_TIME, within: 0.5 },
         "the same over t = 5.3 to 6.3, for which the run goes on beyond the paper's last look at t = 5.8",
     ),
     one(

@@ -33,7 +33,7 @@ use super::choices::{Backend, Precision};
 use super::explain::work_per_update;
 use super::failure::Failure;
 use super::memory::{self, Memory};
-use super::restarts::Restarts;
+use super::restarts::{self, Restarts};
 use super::setup::{self, Setup};
 use super::{Done, machine};
 use crate::fma_peak::{self, FmaPeak};
@@ -41,10 +41,10 @@ use crate::report::model::{Measurements, Run, Speed};
 use crate::report::{self, Beside, Report};
 use assemble::{Circumstances, particle_columns};
 use compare::Yardstick;
-use etalon_kernels_gen::lanes::level_name;
 use etalon_reference::domain::Domain;
 use etalon_reference::engine::EngineError;
 use etalon_reference::particles::ParticleSet;
+use etalon_reference::passes::Physics;
 use etalon_reference::pipeline::Pipeline;
 use etalon_reference::scenes::{Problem, State, relax};
 use etalon_simd::{LaneEngine, Options};
@@ -83,30 +83,12 @@ pub fn run(arguments: &RunArguments) -> Result<Done, Failure> {
     });
     report::check_destination(&folder)?;
     let pool = setup::threads(arguments.threads)?;
-    let restarts = restarts(&setup, arguments, level, &folder)?;
-    let session = Session { setup, plan, level, arguments, folder: &folder, restarts };
+    let session = Session { setup, plan, level, arguments, folder: &folder };
     pool.install(|| match session.setup.dimension {
         1 => session.run::<1>(),
         2 => session.run::<2>(),
         _ => session.run::<3>(),
     })
-}
-
-/// Where restart files go, beside the folder of the report; none if none are wanted.
-fn restarts(setup: &Setup, arguments: &RunArguments, level: Level, folder: &Path) -> Result<Option<Restarts>, Failure> {
-    let every = arguments.restart_every;
-    if every == 0.0 {
-        return Ok(None);
-    }
-    let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let observed = arguments.observe_every.or(setup.observe_every);
-    let settings = vec![
-        ("scene", setup.options()),
-        ("instructions", level_name(level).to_string()),
-        ("observed every", observed.map_or("usual".into(), |every| every.to_string())),
-        ("adapter", arguments.adapter.clone().unwrap_or_default()),
-    ];
-    Restarts::new(folder.with_file_name(format!("{name}.restart")), every, settings).map(Some)
 }
 
 /// All that is settled before the particles exist.
@@ -116,7 +98,6 @@ struct Session<'a> {
     level: Level,
     arguments: &'a RunArguments,
     folder: &'a Path,
-    restarts: Option<Restarts>,
 }
 
 /// The reference's result with what follows from it.
@@ -143,8 +124,12 @@ impl Session<'_> {
         memory::check(&asked, method.particles, largest + memory::beside::<D>())?;
         // Drivers are opened once all else is known to be right: some talk while they start.
         let graphics = self.graphics()?;
+        let restarts = self.restarts(graphics.adapter())?;
 
         let set = particles::<D>(&self.setup, self.level)?;
+        if let Some(restarts) = &restarts {
+            self.check_restarts::<D>(restarts, &scene.physics(), &set)?;
+        }
         let particles = set.len();
         let domain = *set.domain();
         let task = Task {
@@ -175,7 +160,7 @@ impl Session<'_> {
             }
             let progress = Progress::new(&label(combination), self.setup.end_time, true);
             let initial = (combination == REFERENCE).then(|| set.clone());
-            let restart = self.restarts.as_ref().map(|all| all.of(&label(combination), &task.physics, &set));
+            let restart = restarts.as_ref().map(|all| all.of(&label(combination), &task.physics, &set));
             let finished = task.run(combination, set, &graphics, progress, restart)?;
             let reference = baseline.as_ref().filter(|_| combination != REFERENCE);
             let mut measured = self.measure(combination, &finished, reference, particles, peak)?;
@@ -202,7 +187,7 @@ impl Session<'_> {
                 kept = Some(Arc::clone(&finished.seen.state));
             }
             if let Some(set) = initial {
-                baseline = Some(self.baseline(&task, &set, finished)?);
+                baseline = Some(self.baseline(&task, &set, finished, restarts.as_ref())?);
             }
         }
         let report = assemble::report(&Circumstances {
@@ -220,7 +205,37 @@ impl Session<'_> {
             description: scene.description(),
             runs,
         });
-        self.finish(&report, kept.as_deref(), &domain)
+        let done = self.finish(&report, kept.as_deref(), &domain)?;
+        if let Some(restarts) = restarts {
+            restarts.remove();
+        }
+        Ok(done)
+    }
+
+    /// Where restart files go, beside the folder of the report; none if none are wanted.
+    fn restarts(&self, adapter: Option<String>) -> Result<Option<Restarts>, Failure> {
+        let every = self.arguments.restart_every;
+        if every == 0.0 {
+            return Ok(None);
+        }
+        let name = self.folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        let settings = restarts::settings(&self.setup, self.arguments.observe_every, self.level);
+        Restarts::new(self.folder.with_file_name(format!("{name}.restart")), every, settings, adapter).map(Some)
+    }
+
+    /// Refuses restart files of another run before anything is computed.
+    fn check_restarts<const D: usize>(
+        &self,
+        restarts: &Restarts,
+        physics: &Physics,
+        set: &ParticleSet<D>,
+    ) -> Result<(), Failure> {
+        let rounded = self.plan.compared_precisions().into_iter().map(Sensitivity::engine);
+        let engines = self.plan.combinations.iter().map(|combination| label(*combination)).chain(rounded);
+        for engine in engines {
+            restarts.of(&engine, physics, set).found::<D>()?;
+        }
+        Ok(())
     }
 
     /// The adapter, if one is needed; an error if it was asked for and is not there.
@@ -239,11 +254,11 @@ impl Session<'_> {
         task: &Task<'_, D>,
         set: &ParticleSet<D>,
         finished: Finished,
+        restarts: Option<&Restarts>,
     ) -> Result<Baseline, Failure> {
         let mut sensitivities = Vec::new();
-        let measure = |precision: Precision, shown: bool| {
-            Sensitivity::measure(precision, task, set, &finished, self.restarts.as_ref(), shown)
-        };
+        let measure =
+            |precision: Precision, shown: bool| Sensitivity::measure(precision, task, set, &finished, restarts, shown);
         match self.plan.compared_precisions()[..] {
             [] => {}
             [precision] => sensitivities.push(measure(precision, true)?),
@@ -318,10 +333,6 @@ impl Session<'_> {
             attachments: attached::attachments(report, particles, domain),
         };
         report::write(report, beside, self.folder)?;
-        if let Some(restarts) = &self.restarts {
-            let rounded = Precision::ALL.iter().map(|&precision| Sensitivity::engine(precision));
-            restarts.remove(&self.plan.combinations.iter().map(|c| label(*c)).chain(rounded).collect::<Vec<_>>());
-        }
         let passed = report::passes(report);
         if self.arguments.json {
             let path = self.folder.join("report.json");

@@ -3,7 +3,7 @@
 use crate::command::explain::work_per_update;
 use crate::command::failure::Failure;
 use crate::command::memory::{self, Memory};
-use crate::command::restarts::{Restarts, USUAL_SECONDS};
+use crate::command::restarts::{self, Restarts, USUAL_SECONDS};
 use crate::command::run::graphics::Graphics;
 use crate::command::run::plan::Combination;
 use crate::command::run::progress::Progress;
@@ -11,7 +11,6 @@ use crate::command::run::seen::names;
 use crate::command::run::simulate::{Finished, Task};
 use crate::command::run::{self, compare, particles};
 use crate::command::setup::Setup;
-use etalon_kernels_gen::lanes::level_name;
 use etalon_reference::pipeline::Pipeline;
 use etalon_reference::scenes::wind_cloud::destruction_rate;
 use fearless_simd::Level;
@@ -124,28 +123,24 @@ impl Job {
         Memory::of::<D>(backend, precision, &pipeline, neighbours).total() + memory::beside::<D>()
     }
 
-    /// Where its restart file lies in a folder of results: each run has a place of its own, for another may be made before it goes on.
-    fn restarts(&self, level: Level, folder: &Path) -> Result<Restarts, Failure> {
-        let settings = vec![("scene", self.id()), ("instructions", level_name(level).to_string())];
+    /// Makes the run, from its restart file in this folder if there is one. The file is to be removed once the record is on the disk.
+    pub fn run(
+        &self,
+        level: Level,
+        graphics: &Graphics,
+        label: &str,
+        folder: &Path,
+    ) -> Result<(Record, Restarts), Failure> {
+        // Each run has a place of its own, for another may be made before it goes on.
         let own = folder.join(format!("{:08x}.restart", crc32fast::hash(self.id().as_bytes())));
-        Restarts::new(own, USUAL_SECONDS, settings)
-    }
-
-    /// Makes the run, from its restart file in this folder if there is one.
-    pub fn run(&self, level: Level, graphics: &Graphics, label: &str, folder: &Path) -> Result<Record, Failure> {
-        let restarts = self.restarts(level, folder)?;
-        match self.setup.dimension {
+        let settings = restarts::settings(&self.setup, None, level);
+        let restarts = Restarts::new(own, USUAL_SECONDS, settings, graphics.adapter())?;
+        let record = match self.setup.dimension {
             1 => self.run_in::<1>(level, graphics, label, &restarts),
             2 => self.run_in::<2>(level, graphics, label, &restarts),
             _ => self.run_in::<3>(level, graphics, label, &restarts),
-        }
-    }
-
-    /// Removes its restart file, once its record is on the disk.
-    pub fn done(&self, level: Level, folder: &Path) {
-        if let Ok(restarts) = self.restarts(level, folder) {
-            restarts.remove(&[run::label(self.combination)]);
-        }
+        }?;
+        Ok((record, restarts))
     }
 
     fn run_in<const D: usize>(

@@ -1,4 +1,4 @@
-//! Many runs, one after the other, each remembered as soon as it is done, so that an interruption costs one run at most.
+//! Many runs, one after the other, each remembered as soon as it is done, so that an interruption costs some minutes of one run at most.
 //!
 //! | file | what lives there |
 //! |---|---|

@@ -31,7 +31,7 @@ pub fn work(jobs: &[Job], store: &mut Store, with: &Chances) -> Result<usize, Fa
     for (number, job) in left.iter().enumerate() {
         let spent = clock.elapsed().as_secs_f64();
         if number > 0 {
-            let pace = spent / done;
+            let pace = if done > 0.0 { spent / done } else { 0.0 };
             // The first is begun in any case: a call that does nothing would never come to an end.
             if with.budget_seconds.is_some_and(|budget| spent + pace * job.weight > budget) {
                 return Ok(left.len() - number);
@@ -39,14 +39,17 @@ pub fn work(jobs: &[Job], store: &mut Store, with: &Chances) -> Result<usize, Fa
             note(&format!("run {} of {}, about {} left", number + 1, left.len(), duration(pace * rest)));
         }
         let label = format!("{} of {}: {}", number + 1, left.len(), job.name());
+        let begun = std::time::Instant::now();
         match job.fits().and_then(|()| job.run(with.level, with.graphics, &label, store.folder())) {
-            Ok(record) => {
+            Ok((record, restarts)) => {
+                // Of a run that went on from a restart file only the rest was made now.
+                let share = begun.elapsed().as_secs_f64() / record.wall_seconds.max(f64::MIN_POSITIVE);
+                done += job.weight * share.min(1.0);
                 store.add(record)?;
-                job.done(with.level, store.folder());
+                restarts.remove();
             }
             Err(error) => note(&format!("left out: {}: {error}", job.id())),
         }
-        done += job.weight;
         rest -= job.weight;
     }
     Ok(0)
