@@ -215,8 +215,8 @@ impl Restart {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use etalon_reference::scenes::sod::Sod;
     use etalon_reference::scenes::Scene;
+    use etalon_reference::scenes::sod::Sod;
 
     /// A folder of one test alone, removed at its end.
     struct Folder(PathBuf);
