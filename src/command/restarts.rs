@@ -215,39 +215,25 @@ impl Restart {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::snapshot::testing::Place;
     use etalon_reference::scenes::Scene;
     use etalon_reference::scenes::sod::Sod;
 
-    /// A folder of one test alone, removed at its end.
-    struct Folder(PathBuf);
-    impl Folder {
-        fn new(test: &str) -> Self {
-            let path = std::env::temp_dir().join(format!("etalon-restarts-{test}-{}", std::process::id()));
-            let _ = std::fs::remove_dir_all(&path);
-            Folder(path)
-        }
-    }
-    impl Drop for Folder {
-        fn drop(&mut self) {
-            let _ = std::fs::remove_dir_all(&self.0);
-            let _ = std::fs::remove_file(&self.0);
-        }
-    }
-
     #[test]
     fn only_files_that_were_asked_for_are_removed() {
-        let folder = Folder::new("remove");
+        let place = Place::new("restarts");
+        let folder = place.path("tube.restart");
         let scene = Sod::standard(1);
         let set = Scene::<1>::particles(&scene, &mut |_| unreachable!("it starts from a lattice")).unwrap();
-        let restarts = Restarts::new(folder.0.clone(), 1.0, Vec::new(), None).unwrap();
+        let restarts = Restarts::new(folder.clone(), 1.0, Vec::new(), None).unwrap();
         let restart = restarts.of::<1>("simd f64", &Scene::<1>::physics(&scene), &set);
         assert_eq!(restart.found::<1>().unwrap(), None);
-        std::fs::create_dir_all(&folder.0).unwrap();
+        std::fs::create_dir_all(&folder).unwrap();
         for file in ["simd_f64.h5", ".simd_f64.h5.partial-7", "simd_f32.h5", ".simd_f32.h5.partial-7"] {
-            std::fs::write(folder.0.join(file), "").unwrap();
+            std::fs::write(folder.join(file), "").unwrap();
         }
         restarts.remove();
-        let left = std::fs::read_dir(&folder.0).unwrap().map(|entry| entry.unwrap().file_name());
+        let left = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name());
         let mut left: Vec<_> = left.collect();
         left.sort();
         assert_eq!(left, [".simd_f32.h5.partial-7", "simd_f32.h5"]);
@@ -255,12 +241,13 @@ mod tests {
 
     #[test]
     fn what_no_file_can_lie_in_is_refused_at_once() {
-        let folder = Folder::new("file");
-        std::fs::write(&folder.0, "mine").unwrap();
-        let refused = |every: f64| Restarts::new(folder.0.clone(), every, Vec::new(), None).unwrap_err().to_string();
+        let place = Place::new("restarts-file");
+        let path = place.path("tube.restart");
+        std::fs::write(&path, "mine").unwrap();
+        let refused = |every: f64| Restarts::new(path.clone(), every, Vec::new(), None).unwrap_err().to_string();
         assert!(refused(1.0).contains("it is no folder; choose another"), "{}", refused(1.0));
         assert!(refused(-1.0).contains("--restart-every -1: give seconds from 0"), "{}", refused(-1.0));
         assert!(refused(1e300).contains("to 1e9"), "{}", refused(1e300));
-        assert_eq!(std::fs::read_to_string(&folder.0).unwrap(), "mine");
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "mine");
     }
 }

@@ -29,7 +29,7 @@ pub mod restart;
 pub mod series;
 mod table;
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
 mod vtu;
 
 pub(crate) use atomic::begun;

@@ -3,6 +3,8 @@
 use crate::command::choices::Precision;
 use crate::command::failure::Failure;
 use etalon_reference::scenes::Name;
+use etalon_reference::scenes::dustyshock::{DustyShock, GAS};
+use etalon_reference::scenes::dustywave::DustyWave;
 use etalon_spec::tables::{Scene, Setups, Test};
 
 /// How many particles a run has.
@@ -53,9 +55,6 @@ const PLANE: Conditions = Conditions {
     cost: 0.1,
 };
 
-/// Rows across the dusty wave and the dense side of the dusty tube (PL20 sections 3.1, 3.2).
-const ROWS: [f64; 2] = [12.0, 24.0];
-
 /// All scenes with published numbers.
 pub const CONDITIONS: &[Conditions] = &[
     Conditions { scene: Name::Sod, dimension: 1, cost: 0.5, ..PLANE },
@@ -92,7 +91,7 @@ pub const CONDITIONS: &[Conditions] = &[
         scene: Name::DustyWave,
         dimension: 1,
         paper_dimension: 1,
-        particles: Particles::Along(|along, dimension| 2.0 * along * ROWS[0].powi(dimension as i32 - 1)),
+        particles: Particles::Along(of_dusty_wave),
         // An amplitude of 1e-6 is a few roundings of a density of one in single precision.
         precision: Precision::Double,
         cost: 0.2,
@@ -107,11 +106,22 @@ pub const CONDITIONS: &[Conditions] = &[
     },
 ];
 
-/// The shock is on the thin side, an eighth as dense: the dense side has so many particles along x that the thin one has as many as in three dimensions. In all
-/// there are nine eighths of the dense side's, of two species.
+/// Of two species, in rows across the wave.
+fn of_dusty_wave(along: f64, dimension: usize) -> f64 {
+    2.0 * along * across(DustyWave::standard(dimension).rows, dimension)
+}
+
+/// The shock is on the thin side: the dense side has so many particles along x that the thin one has as many as in three dimensions. Both sides are equally
+/// long; of two species, in rows across the dense side.
 fn of_dusty_tube(along: f64, dimension: usize) -> f64 {
-    let less = 8.0_f64.powf(1.0 / dimension as f64 - 1.0 / 3.0);
-    2.0 * (9.0 / 8.0) * along * less * ROWS[1].powi(dimension as i32 - 1)
+    let [dense, thin] = GAS.map(|gas| gas.density);
+    let more = (dense / thin).powf(1.0 / dimension as f64 - 1.0 / 3.0);
+    2.0 * (1.0 + thin / dense) * along * more * across(DustyShock::standard(dimension).rows, dimension)
+}
+
+/// Particles of a plane across x with so many rows.
+fn across(rows: usize, dimension: usize) -> f64 {
+    (rows as f64).powi(dimension as i32 - 1)
 }
 
 impl Conditions {
@@ -149,7 +159,6 @@ fn of_table_2(scene: Name) -> Result<Option<usize>, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use etalon_reference::scenes::dustyshock::DustyShock;
 
     #[test]
     fn the_dusty_tube_at_the_papers_resolution_is_the_papers() {

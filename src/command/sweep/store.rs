@@ -71,6 +71,7 @@ impl Store {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::snapshot::testing::Place;
     use std::collections::BTreeMap;
 
     fn record(id: &str) -> Record {
@@ -88,25 +89,10 @@ mod tests {
         }
     }
 
-    /// A folder of its own, gone afterwards.
-    struct Place(PathBuf);
-    impl Place {
-        fn new(name: &str) -> Self {
-            let path = std::env::temp_dir().join(format!("etalon-store-{name}-{}", std::process::id()));
-            let _ = std::fs::remove_dir_all(&path);
-            Place(path)
-        }
-    }
-    impl Drop for Place {
-        fn drop(&mut self) {
-            let _ = std::fs::remove_dir_all(&self.0);
-        }
-    }
-
     #[test]
     fn what_was_done_is_there_again_and_a_cut_line_is_not() {
         let place = Place::new("again");
-        let path = place.0.join("deep/results.jsonl");
+        let path = place.path("deep/results.jsonl");
         let mut store = Store::open(&path).unwrap();
         store.add(record("a")).unwrap();
         store.add(record("b")).unwrap();
@@ -125,8 +111,7 @@ mod tests {
     #[test]
     fn a_foreign_file_is_refused_and_kept() {
         let place = Place::new("foreign");
-        std::fs::create_dir_all(&place.0).unwrap();
-        let path = place.0.join("results.jsonl");
+        let path = place.path("results.jsonl");
         std::fs::write(&path, "my notes\n").unwrap();
         let error = Store::open(&path).err().unwrap().to_string();
         assert!(error.contains("line 1") && error.contains("--out"), "{error}");
